@@ -1,0 +1,5 @@
+//! What the scene file says.
+
+mod data;
+
+pub use data::*;
