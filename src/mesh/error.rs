@@ -33,10 +33,29 @@ pub enum MeshError {
     NonOrientable { edge: [u32; 2], faces: [usize; 2] },
     #[error("vertex {vertex} belongs to no face; remove it")]
     UnreferencedVertex { vertex: usize },
+    #[error("{faces} faces and {vertices} vertices are too many, {limit} faces are the limit; use a coarser mesh")]
+    TooLarge { faces: usize, vertices: usize, limit: usize },
+    #[error("{}: {error} (counting from 0{lines})", path.display())]
+    InFile { path: PathBuf, lines: String, error: Box<MeshError> },
     #[error("{}: {reason}; {remedy}", path.display())]
     File { path: PathBuf, reason: String, remedy: String },
     #[error("{}:{line}: {reason}; {remedy}", path.display())]
     FileLine { path: PathBuf, line: usize, reason: String, remedy: String },
     #[error("shape `{shape}`: {reason}; {remedy}")]
     Shape { shape: String, reason: String, remedy: String },
+}
+
+impl MeshError {
+    /// The faces this is about, if it names any.
+    pub fn faces(&self) -> Vec<usize> {
+        match self {
+            MeshError::VertexOutOfRange { face, .. } | MeshError::DegenerateFace { face, .. } => vec![*face],
+            MeshError::DuplicateFace { faces }
+            | MeshError::InconsistentOrientation { faces, .. }
+            | MeshError::NonOrientable { faces, .. } => faces.to_vec(),
+            MeshError::NonManifoldEdge { faces, .. } => faces.clone(),
+            MeshError::InFile { error, .. } => error.faces(),
+            _ => Vec::new(),
+        }
+    }
 }

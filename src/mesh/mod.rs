@@ -3,10 +3,14 @@
 mod connectivity;
 mod error;
 mod ids;
+mod read;
+mod repair;
 
 pub use connectivity::Mesh;
 pub use error::MeshError;
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
+pub use read::{read, read_edge_lengths};
+pub use repair::{Repaired, repair};
 
 /// What a reader or a generator hands on: connectivity and what is known of the geometry.
 #[derive(Clone, Debug)]
