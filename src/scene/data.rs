@@ -5,6 +5,8 @@
 
 use std::path::PathBuf;
 
+use super::Source;
+
 /// A whole scene.
 #[derive(Clone, Debug, Default)]
 pub struct Scene {
@@ -38,6 +40,8 @@ pub struct Scene {
     pub output: OutputSection,
     /// What the result must satisfy.
     pub checks: ChecksSection,
+    /// Where the file says it, for the messages of later stages.
+    pub source: Source,
 }
 
 /// `[mesh]`: a file or a generated shape.
@@ -56,6 +60,7 @@ impl Default for MeshSection {
 }
 
 /// Generated shapes with their parameters (defaults in parentheses).
+#[allow(missing_docs)] // the parameters are described with their shape
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// Icosphere: `radius` (1), `subdivisions` of an icosahedron's edges into this many parts (16).
@@ -94,6 +99,7 @@ pub enum Grid {
 }
 
 /// Where the polyhedron comes from.
+#[allow(missing_docs)] // the parameters are described with their shape
 #[derive(Clone, Debug, PartialEq)]
 pub enum PolyhedronSource {
     /// A built-in one.
@@ -114,6 +120,7 @@ pub struct Solid {
 }
 
 /// Primitives by signed distance, and groups.
+#[allow(missing_docs)] // the parameters are described with their shape
 #[derive(Clone, Debug, PartialEq)]
 pub enum Body {
     /// A ball.
@@ -184,7 +191,7 @@ impl Default for StartSection {
     }
 }
 
-/// `[[phase]]`: one stage of the relaxation. What is left out is taken from the default stages' last.
+/// `[[phase]]`: one stage of the relaxation. What is left out is as in the default value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhaseSection {
     /// (length, bending, normal rotation, torsion) weights (Eq. 20).
@@ -199,6 +206,12 @@ pub struct PhaseSection {
     pub min_steps: usize,
     /// … and is said not to have converged after this many.
     pub max_steps: usize,
+}
+
+impl Default for PhaseSection {
+    fn default() -> Self {
+        Self { epsilon: [1.0, 0.0, 1.0, 0.1], dt: 300.0, feedback: 1.0, tolerance: 0.05, min_steps: 5, max_steps: 60 }
+    }
 }
 
 /// `[bending]`: target bending angles (Sec. 6.3).

@@ -1,0 +1,125 @@
+//! From a path or a text to a scene.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+
+use toml::de::DeTable;
+
+use super::sections::root;
+use super::source::Source;
+use super::table::{Problems, Table};
+use super::{MeshSection, MetricSection, Scene, SceneError, SceneErrors};
+
+/// Far more than any scene needs; what is longer is not a scene.
+const MAX_BYTES: u64 = 64 << 20;
+
+impl Scene {
+    /// Reads a scene file. Its stem is the scene's name, its folder that of relative paths.
+    ///
+    /// # Errors
+    /// [`SceneErrors`] if there is no such text, or with all the mistakes in it.
+    pub fn read(path: &Path) -> Result<Scene, SceneErrors> {
+        let unreadable = |reason: String, remedy: &str| SceneErrors::Unreadable {
+            path: path.to_owned(),
+            reason,
+            remedy: remedy.to_owned(),
+        };
+        let mut bytes = Vec::new();
+        match File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)) {
+            Ok(_) => {}
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Err(unreadable(
+                    "there is no such file".into(),
+                    "check the path; `immerse new NAME` writes a scene to start from",
+                ));
+            }
+            Err(error) => {
+                return Err(unreadable(format!("it cannot be read ({error})"), "name a scene file that you may read"));
+            }
+        }
+        if bytes.len() as u64 > MAX_BYTES {
+            return Err(unreadable("it is larger than 64 MiB".into(), "name a scene file, which is a short text"));
+        }
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let line = error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
+            unreadable(format!("line {line} is not UTF-8 text"), "save the file as UTF-8")
+        })?;
+        let name = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
+        let folder = path.parent().unwrap_or(Path::new(""));
+        parse(&text, name, folder, path.to_owned())
+    }
+
+    /// Reads a scene from a text. `name` names it in messages and output; relative paths in it start at `folder`.
+    ///
+    /// # Errors
+    /// [`SceneErrors::Mistakes`] with every mistake: either those against TOML itself or, in valid TOML, all
+    /// unknown keys, wrong types, impossible values and missing parameters.
+    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, SceneErrors> {
+        parse(text, name.to_owned(), folder, folder.join(format!("{name}.toml")))
+    }
+
+    /// The error of a later stage about what the file says at a dotted key, such as `mesh.radius` or
+    /// `phase[0].dt`; where the file leaves the key out, at the table it would stand in.
+    pub fn complain(&self, key: &str, reason: impl Into<String>, remedy: impl Into<String>) -> SceneError {
+        self.source.complain(key, reason.into(), remedy.into())
+    }
+
+    /// A path of the scene, seen from the working folder.
+    pub fn resolve(&self, path: &Path) -> PathBuf {
+        self.folder.join(path)
+    }
+
+    /// Identifies what is simulated: all sections that decide positions, and the bytes of the files they
+    /// name. Comments, camera, lights, look, output and checks do not count. A file that cannot be read
+    /// counts as empty; the mesh or metric that wants it says so.
+    pub fn simulation_fingerprint(&self) -> u32 {
+        let sections = (&self.mesh, &self.metric, &self.spin, &self.start, &self.phases);
+        let more = (&self.bending, &self.pins, &self.clock);
+        let mut hasher = crc32fast::Hasher::new();
+        hasher.update(format!("{sections:?}{more:?}").as_bytes());
+        let mesh = if let MeshSection::File(path) = &self.mesh { Some(path) } else { None };
+        let csv = if let MetricSection::Csv(path) = &self.metric { Some(path) } else { None };
+        for path in mesh.into_iter().chain(csv) {
+            hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
+        }
+        hasher.finalize()
+    }
+}
+
+fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene, SceneErrors> {
+    let (tree, syntax_errors) = DeTable::parse_recoverable(text);
+    let source = Source::new(path, text, tree.get_ref());
+    if !syntax_errors.is_empty() {
+        // What a broken text means is a guess, so nothing else is said about it.
+        return Err(SceneErrors::Mistakes(syntax_errors.iter().map(|error| syntax_error(&source, error)).collect()));
+    }
+    let problems = Problems::default();
+    let mut table = Table::new("a scene".into(), Some(tree.get_ref()), 0..0, &problems);
+    let mut scene = root(&mut table);
+    table.finish();
+    drop(table);
+    let mut problems = problems.into_inner();
+    if !problems.is_empty() {
+        problems.sort_by_key(|problem| problem.span.start);
+        let mistakes = problems.into_iter().map(|p| source.error(p.span, p.reason, p.remedy)).collect();
+        return Err(SceneErrors::Mistakes(mistakes));
+    }
+    scene.name = name;
+    scene.folder = folder.to_owned();
+    scene.source = source;
+    Ok(scene)
+}
+
+fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
+    let span = error.span().unwrap_or(0..0);
+    let (reason, remedy) = match error.message().split_once(", expected ") {
+        Some((reason, expected)) => (reason, format!("write {expected} here")),
+        None if error.message() == "duplicate key" => ("duplicate key", "remove one of the two".to_owned()),
+        None => (
+            error.message(),
+            "correct the line; strings need quotes, lists square brackets, names of keys `=`".to_owned(),
+        ),
+    };
+    source.error(span, format!("this is not TOML: {reason}"), remedy)
+}

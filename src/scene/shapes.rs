@@ -1,0 +1,293 @@
+//! `[mesh]`: files and generated shapes with their parameters, and the tree of solids.
+
+use std::path::Path;
+
+use super::data::*;
+use super::spelling::suggestion;
+use super::table::Table;
+
+const FILE_ENDINGS: [&str; 4] = ["obj", "ply", "off", "stl"];
+const POLYHEDRA: [&str; 6] = ["tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two"];
+/// Bounds that keep a mistyped number from asking for more memory than there is.
+const MAX_PARTS: f64 = 1000.0;
+const MAX_CELLS: f64 = 10_000.0;
+const MAX_FACES: f64 = 10_000_000.0;
+
+pub(super) fn mesh(table: &mut Table) -> MeshSection {
+    let file = table
+        .key::<String>("file", "A mesh file (OBJ, PLY, OFF or STL, by its ending), relative to the scene.")
+        .optional("bunny.obj".into());
+    let shape = table.variants(
+        "shape",
+        "The name of a generated shape; its parameters stand beside it.",
+        &[
+            ("sphere", "Icosphere.", sphere),
+            ("uv_sphere", "Sphere of meridians and parallels.", uv_sphere),
+            ("flat_torus", "A parallelogram with opposite sides glued, known by its lengths alone.", flat_torus),
+            ("torus", "Torus of revolution.", torus),
+            ("cylinder", "Cylinder without lids.", cylinder),
+            ("annulus", "Flat annulus.", annulus),
+            ("disk", "Flat disk.", disk),
+            ("hyperbolic_disk", "Disk of constant negative curvature with geodesic edge lengths.", hyperbolic_disk),
+            ("polyhedron", "Polyhedron with divided edges.", polyhedron),
+            ("implicit", "Isosurface of a tree of solids.", implicit),
+        ],
+    );
+    table.only_one_of(&["file", "shape"]);
+    if table.has_none_of(&["file", "shape"]) {
+        table.complain(
+            "shape",
+            "[mesh] has neither `file` nor `shape`",
+            "add for example file = \"bunny.obj\" or shape = \"sphere\"",
+        );
+    }
+    match (file, shape) {
+        (Some(file), _) => {
+            let ending = Path::new(&file).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+            let ending = ending.unwrap_or_default();
+            if !FILE_ENDINGS.contains(&ending.as_str()) {
+                let reason = format!("`file` ends in `.{ending}`, which is no mesh format that can be read");
+                table.complain("file", reason, suggestion("endings", &ending, &FILE_ENDINGS));
+            }
+            MeshSection::File(file.into())
+        }
+        (None, Some(shape)) => MeshSection::Shape(shape),
+        (None, None) => MeshSection::default(),
+    }
+}
+
+/// A number of subdivisions, columns, rows.
+fn count(table: &mut Table, name: &'static str, doc: &'static str, least: usize, default: usize) -> usize {
+    table.key(name, doc).at_least(least as f64).at_most(MAX_CELLS).or(default)
+}
+
+fn radius(table: &mut Table) -> f64 {
+    table.key("radius", "Radius.").above(0.0).or(1.0)
+}
+
+fn sphere(table: &mut Table) -> Shape {
+    Shape::Sphere {
+        radius: radius(table),
+        subdivisions: table
+            .key("subdivisions", "Parts into which the edges of an icosahedron are divided.")
+            .at_least(1.0)
+            .at_most(MAX_PARTS)
+            .or(16),
+    }
+}
+
+fn uv_sphere(table: &mut Table) -> Shape {
+    Shape::UvSphere {
+        radius: radius(table),
+        meridians: count(table, "meridians", "Number of meridians.", 3, 48),
+        parallels: count(table, "parallels", "Number of parallels.", 2, 24),
+    }
+}
+
+fn flat_torus(table: &mut Table) -> Shape {
+    let a = table.key("a", "First lattice vector.").or([3.0, 0.0]);
+    let b = table.key("b", "Second lattice vector.").or([0.0, 2.5]);
+    let grid = table.choice(
+        "grid",
+        "\"equilateral\" shifts every second row by half a cell (the default); \"square\" cuts cells along a diagonal.",
+        &[("equilateral", Grid::Equilateral), ("square", Grid::Square)],
+    );
+    let size = f64::max(a[0].abs() + a[1].abs(), b[0].abs() + b[1].abs());
+    let area = (a[0] / size) * (b[1] / size) - (a[1] / size) * (b[0] / size);
+    if area.is_nan() || area.abs() <= 1e-9 {
+        let reason = format!("the lattice vectors {a:?} and {b:?} are parallel, so that they span no torus");
+        table.complain("b", reason, "write for example a = [3, 0] and b = [0, 2.5]");
+    }
+    Shape::FlatTorus {
+        a,
+        b,
+        columns: count(table, "columns", "Cells along a.", 3, 60),
+        rows: count(table, "rows", "Cells along b.", 3, 50),
+        grid: grid.unwrap_or(Grid::Equilateral),
+    }
+}
+
+/// Reports the smaller of two radii if it is not smaller.
+fn ordered(table: &Table, small: (&str, f64), large: (&str, f64)) {
+    if small.1 >= large.1 {
+        let reason = format!("`{}` is {}, not less than `{}`, which is {}", small.0, small.1, large.0, large.1);
+        table.complain(small.0, reason, format!("write a number between 0 and {}", large.1));
+    }
+}
+
+fn torus(table: &mut Table) -> Shape {
+    let major_radius = table.key("major_radius", "From the axis to the middle of the tube.").above(0.0).or(1.0);
+    let minor_radius = table.key("minor_radius", "Of the tube.").above(0.0).or(0.4);
+    ordered(table, ("minor_radius", minor_radius), ("major_radius", major_radius));
+    Shape::Torus {
+        major_radius,
+        minor_radius,
+        columns: count(table, "columns", "Cells around the axis.", 3, 96),
+        rows: count(table, "rows", "Cells around the tube.", 3, 40),
+    }
+}
+
+fn cylinder(table: &mut Table) -> Shape {
+    Shape::Cylinder {
+        radius: radius(table),
+        height: table.key("height", "Height.").above(0.0).or(2.0),
+        columns: count(table, "columns", "Cells around.", 3, 64),
+        rows: count(table, "rows", "Cells up.", 1, 24),
+    }
+}
+
+fn annulus(table: &mut Table) -> Shape {
+    let inner_radius = table.key("inner_radius", "Of the hole.").above(0.0).or(0.5);
+    let outer_radius = table.key("outer_radius", "Of the rim.").above(0.0).or(1.0);
+    ordered(table, ("inner_radius", inner_radius), ("outer_radius", outer_radius));
+    Shape::Annulus {
+        inner_radius,
+        outer_radius,
+        columns: count(table, "columns", "Cells around.", 3, 64),
+        rows: count(table, "rows", "Cells outward.", 1, 12),
+    }
+}
+
+fn disk(table: &mut Table) -> Shape {
+    Shape::Disk {
+        radius: radius(table),
+        rings: table.key("rings", "Rings of triangles.").at_least(1.0).at_most(MAX_PARTS).or(24),
+    }
+}
+
+fn hyperbolic_disk(table: &mut Table) -> Shape {
+    Shape::HyperbolicDisk {
+        curvature: table.key("curvature", "Gaussian curvature.").below(0.0).or(-1.0),
+        radius: table.key("radius", "Geodesic radius.").above(0.0).or(3.0),
+        faces: table.key("faces", "About how many triangles.").at_least(6.0).at_most(MAX_FACES).or(5000),
+    }
+}
+
+fn polyhedron(table: &mut Table) -> Shape {
+    let names: Vec<(&'static str, &'static str)> = POLYHEDRA.iter().map(|&name| (name, name)).collect();
+    let name = table.choice("name", "A built-in polyhedron; or give `vertices` and `polygons`.", &names);
+    let vertices = table.key::<Vec<[f64; 3]>>("vertices", "Corners, [x, y, z] each.").optional(vec![
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 0.0, 0.0],
+    ]);
+    let polygons = table
+        .key::<Vec<Vec<usize>>>("polygons", "Lists of corners, counterclockwise seen from outside.")
+        .optional(vec![vec![0, 1, 2], vec![0, 2, 3], vec![0, 3, 1], vec![1, 3, 2]]);
+    table.only_one_of(&["name", "vertices"]);
+    table.only_one_of(&["name", "polygons"]);
+    if table.has_none_of(&["name", "vertices"]) || table.has_none_of(&["name", "polygons"]) {
+        table.complain(
+            "shape",
+            "a polyhedron needs a `name`, or both `vertices` and `polygons`",
+            "add for example name = \"cube\"",
+        );
+    }
+    let source = match (name, vertices, polygons) {
+        (None, Some(vertices), Some(polygons)) => {
+            check_polygons(table, vertices.len(), &polygons);
+            PolyhedronSource::Explicit { vertices, polygons }
+        }
+        (name, ..) => PolyhedronSource::Named(name.unwrap_or(POLYHEDRA[0]).to_owned()),
+    };
+    let subdivisions =
+        table.key("subdivisions", "Parts into which each edge is divided.").at_least(1.0).at_most(MAX_PARTS).or(8);
+    Shape::Polyhedron { source, subdivisions }
+}
+
+fn check_polygons(table: &Table, vertex_count: usize, polygons: &[Vec<usize>]) {
+    for (i, polygon) in polygons.iter().enumerate() {
+        if polygon.len() < 3 {
+            let reason = format!("`polygons[{i}]` has {} corners, a polygon has at least 3", polygon.len());
+            table.complain("polygons", reason, "add its corners or remove it");
+        }
+        if let Some(&vertex) = polygon.iter().find(|&&vertex| vertex >= vertex_count) {
+            let reason = format!("`polygons[{i}]` names vertex {vertex}, but there are {vertex_count} vertices");
+            table.complain("polygons", reason, "name vertices by their place in `vertices`, counted from 0");
+        }
+    }
+}
+
+fn implicit(table: &mut Table) -> Shape {
+    let parts = table.tables("parts", "Solids, joined in order.", part);
+    if parts.is_empty() && !table.has("parts") {
+        table.complain("shape", "an implicit shape has no `parts`", "add [[mesh.parts]] with sphere = { radius = 1 }");
+    } else if parts.is_empty() {
+        table.complain("parts", "`parts` is empty", "add [[mesh.parts]] with sphere = { radius = 1 }");
+    }
+    Shape::Implicit {
+        solid: Solid { body: Body::Group(parts), operation: Operation::Union, blend: 0.0 },
+        edge_length: table.key("edge_length", "Edge length of the mesh.").above(0.0).or(0.05),
+    }
+}
+
+const BODIES: [&str; 5] = ["sphere", "capsule", "torus", "ellipsoid", "group"];
+
+fn part(table: &mut Table) -> Solid {
+    let operation = table.choice(
+        "operation",
+        "How it joins what stands before it; left out, \"union\".",
+        &[
+            ("union", Operation::Union),
+            ("difference", Operation::Difference),
+            ("intersection", Operation::Intersection),
+        ],
+    );
+    let blend = table.key("blend", "Width over which the joint is rounded.").at_least(0.0).or(0.0);
+    let primitives = [
+        table.optional_table("sphere", "A ball.", ball),
+        table.optional_table("capsule", "A tube with round ends; with two radii a round cone.", capsule),
+        table.optional_table("torus", "A ring.", ring),
+        table.optional_table("ellipsoid", "An ellipsoid.", ellipsoid),
+    ];
+    let group = table.tables_like("group", "parts", "Several solids, joined in order.", part);
+    table.only_one_of(&BODIES);
+    if table.has_none_of(&BODIES) {
+        table.complain("sphere", "this part is no solid", "add one of sphere, capsule, torus, ellipsoid and group");
+    }
+    if table.has("group") && group.is_empty() {
+        table.complain("group", "`group` is empty", "write for example group = [{ sphere = { radius = 1 } }]");
+    }
+    let body = primitives.into_iter().flatten().next().unwrap_or(Body::Group(group));
+    Solid { body, operation: operation.unwrap_or(Operation::Union), blend }
+}
+
+fn center(table: &mut Table) -> [f64; 3] {
+    table.key("center", "Center.").or([0.0; 3])
+}
+
+fn ball(table: &mut Table) -> Body {
+    Body::Sphere { center: center(table), radius: table.key("radius", "Radius.").above(0.0).required(1.0) }
+}
+
+fn capsule(table: &mut Table) -> Body {
+    let from = table.key("from", "One end of the axis.").required([0.0, 0.0, 0.0]);
+    let to = table.key("to", "The other end.").required([0.0, 0.0, 1.0]);
+    let radius = table.key::<f64>("radius", "Radius all along.").above(0.0).optional(0.2);
+    let radii = table.key::<[f64; 2]>("radii", "Radius at `from` and at `to`.").above(0.0).optional([0.3, 0.1]);
+    table.only_one_of(&["radius", "radii"]);
+    if table.has_none_of(&["radius", "radii"]) {
+        table.complain("radius", "a capsule needs a `radius` or two `radii`", "add for example radius = 0.2");
+    }
+    Body::Capsule { from, to, radii: radii.unwrap_or([radius.unwrap_or(1.0); 2]) }
+}
+
+fn ring(table: &mut Table) -> Body {
+    let center = center(table);
+    let axis = table.key("axis", "Axis of revolution.").or([0.0, 0.0, 1.0]);
+    if axis == [0.0; 3] {
+        table.complain("axis", "`axis` is the zero vector, which points nowhere", "write for example axis = [0, 0, 1]");
+    }
+    let major_radius = table.key("major_radius", "From the axis to the middle of the tube.").above(0.0).required(1.0);
+    let minor_radius = table.key("minor_radius", "Of the tube.").above(0.0).required(0.3);
+    Body::Torus { center, axis, major_radius, minor_radius }
+}
+
+fn ellipsoid(table: &mut Table) -> Body {
+    Body::Ellipsoid {
+        center: center(table),
+        radii: table.key("radii", "Semi-axes.").above(0.0).required([1.0, 0.7, 0.5]),
+        rotation: table.key("rotation", "Degrees about x, then y, then z.").or([0.0; 3]),
+    }
+}

@@ -1,0 +1,315 @@
+//! Reading one TOML table: every key is declared where it is read, with its kind, bounds, default and
+//! documentation, and what was not declared is reported as unknown. Problems are collected, not returned,
+//! so that one pass finds them all; the value read is then a placeholder and the scene is refused.
+//! Reading a table that is not there declares its keys all the same: that is where the schema comes from.
+
+use std::cell::RefCell;
+use std::marker::PhantomData;
+use std::ops::Range;
+
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::spelling::suggestion;
+use super::value::{Bounds, Field, Kind, Problem, Value, Variant, shown};
+
+/// The problems found so far.
+pub(super) type Problems = RefCell<Vec<Problem>>;
+
+pub(super) struct Table<'a> {
+    /// In words, for messages: "[camera]".
+    title: String,
+    entries: Option<&'a DeTable<'a>>,
+    /// Where to point if something is missing.
+    place: Range<usize>,
+    problems: &'a Problems,
+    pub(super) fields: Vec<Field>,
+    /// A misspelt variant: its keys cannot be known.
+    any_keys: bool,
+}
+
+impl<'a> Table<'a> {
+    pub(super) fn new(
+        title: String,
+        entries: Option<&'a DeTable<'a>>,
+        place: Range<usize>,
+        problems: &'a Problems,
+    ) -> Self {
+        Table { title, entries, place, problems, fields: Vec::new(), any_keys: false }
+    }
+
+    /// The table in words: `[camera]`.
+    pub(super) fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// Whether the file has this key.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.entry(name).is_some()
+    }
+
+    fn entry(&self, name: &str) -> Option<(&'a Spanned<toml::de::DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
+        self.entries?.iter().find(|(key, _)| key.get_ref() == name)
+    }
+
+    fn report(&self, span: Range<usize>, reason: String, remedy: String) {
+        self.problems.borrow_mut().push(Problem { span, reason, remedy });
+    }
+
+    /// Reports that the value of a key, or the table if the key is left out, cannot be.
+    pub(super) fn complain(&self, name: &str, reason: impl Into<String>, remedy: impl Into<String>) {
+        let span = self.entry(name).map_or(self.place.clone(), |(_, value)| value.span());
+        self.report(span, reason.into(), remedy.into());
+    }
+
+    /// Whether the table is in the file and has none of the keys.
+    pub(super) fn has_none_of(&self, names: &[&str]) -> bool {
+        self.entries.is_some() && !names.iter().any(|name| self.has(name))
+    }
+
+    /// Reports keys that exclude each other.
+    pub(super) fn only_one_of(&self, names: &[&str]) {
+        let mut given: Vec<_> = names.iter().filter_map(|name| self.entry(name)).map(|(key, _)| key).collect();
+        given.sort_by_key(|key| key.span().start);
+        if let [first, second, ..] = given.as_slice() {
+            self.report(
+                second.span(),
+                format!(
+                    "{} has both `{}` and `{}`, which exclude each other",
+                    self.title,
+                    first.get_ref(),
+                    second.get_ref()
+                ),
+                "remove one of them".into(),
+            );
+        }
+    }
+
+    /// Declares a key; the call is completed by [`Key::or`], [`Key::required`] or [`Key::optional`].
+    pub(super) fn key<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Key<'_, 'a, T> {
+        Key { table: self, name, doc, bounds: Bounds::default(), value: PhantomData }
+    }
+
+    /// Reads one of several names.
+    pub(super) fn choice<T: Clone>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        of: &[(&'static str, T)],
+    ) -> Option<T> {
+        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
+        let index = self.name_among(name, &names);
+        self.declare(name, doc, Kind::Choice(names));
+        index.map(|index| of[index].1.clone())
+    }
+
+    /// Reads a name that decides which other keys this table has.
+    pub(super) fn variants<T>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        of: &[(&'static str, &'static str, fn(&mut Table) -> T)],
+    ) -> Option<T> {
+        let names: Vec<&'static str> = of.iter().map(|(name, ..)| *name).collect();
+        let index = self.name_among(name, &names);
+        let variants = of.iter().map(|&(name, doc, read)| Variant { name, doc, fields: declared(read) }).collect();
+        self.declare(name, doc, Kind::Variants(variants));
+        self.any_keys |= self.has(name) && index.is_none();
+        index.map(|index| of[index].2(self))
+    }
+
+    fn name_among(&self, name: &str, names: &[&'static str]) -> Option<usize> {
+        let (_, value) = self.entry(name)?;
+        let Some(text) = value.get_ref().as_str() else {
+            let reason = format!("`{name}` is {}, it must be a name in quotes", shown(value.get_ref()));
+            self.report(value.span(), reason, suggestion("names", "", names));
+            return None;
+        };
+        let index = names.iter().position(|candidate| *candidate == text);
+        if index.is_none() {
+            self.report(value.span(), format!("there is no {name} `{text}`"), suggestion("names", text, names));
+        }
+        index
+    }
+
+    /// Reads a sub-table; one that is left out has its defaults.
+    pub(super) fn table<T>(&mut self, name: &'static str, doc: &'static str, read: fn(&mut Table) -> T) -> T {
+        let scratch = Problems::default();
+        let read_one = |entries, place, problems| {
+            let mut table = Table::new(format!("[{name}]"), entries, place, problems);
+            let value = read(&mut table);
+            table.finish();
+            (value, table.fields)
+        };
+        let (value, fields) = match self.entry(name).map(|(_, value)| (value.get_ref(), value.span())) {
+            Some((DeValue::Table(entries), span)) => read_one(Some(entries), span, self.problems),
+            other => {
+                if let Some((other, span)) = other {
+                    let remedy = if other.is_array() {
+                        format!("write [{name}] with single brackets, once")
+                    } else {
+                        format!("write [{name}] on a line of its own, with its keys below")
+                    };
+                    self.report(span, format!("`{name}` is {}, it must be a table", shown(other)), remedy);
+                }
+                read_one(None, 0..0, &scratch)
+            }
+        };
+        self.declare(name, doc, Kind::Table(fields));
+        value
+    }
+
+    /// Reads a sub-table that may be left out.
+    pub(super) fn optional_table<T>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        read: fn(&mut Table) -> T,
+    ) -> Option<T> {
+        let given = self.has(name);
+        let value = self.table(name, doc, read);
+        given.then_some(value)
+    }
+
+    /// Reads a list of tables, `[[name]]`.
+    pub(super) fn tables<T>(&mut self, name: &'static str, doc: &'static str, read: fn(&mut Table) -> T) -> Vec<T> {
+        let values = self.read_tables(name, read);
+        self.declare(name, doc, Kind::Tables(declared(read)));
+        values
+    }
+
+    /// Reads a list of tables of the kind of those in the key `like`, which contains this one.
+    pub(super) fn tables_like<T>(
+        &mut self,
+        name: &'static str,
+        like: &'static str,
+        doc: &'static str,
+        read: fn(&mut Table) -> T,
+    ) -> Vec<T> {
+        let values = self.read_tables(name, read);
+        self.declare(name, doc, Kind::TablesLike(like));
+        values
+    }
+
+    fn read_tables<T>(&mut self, name: &'static str, read: fn(&mut Table) -> T) -> Vec<T> {
+        let Some((_, value)) = self.entry(name) else { return Vec::new() };
+        let list: Vec<&'a Spanned<DeValue<'a>>> = match value.get_ref() {
+            DeValue::Array(list) => list.iter().collect(),
+            DeValue::Table(_) => {
+                let reason = format!("`{name}` is one table, it must be a list of tables");
+                self.report(value.span(), reason, format!("write [[{name}]] with double brackets"));
+                return Vec::new();
+            }
+            _ => vec![value],
+        };
+        let mut values = Vec::new();
+        for element in list {
+            let Some(entries) = element.get_ref().as_table() else {
+                let reason = format!("`{name}` holds {}, it must hold tables", shown(element.get_ref()));
+                self.report(element.span(), reason, format!("write [[{name}]] and the keys below it"));
+                continue;
+            };
+            let mut table = Table::new(format!("[[{name}]]"), Some(entries), element.span(), self.problems);
+            values.push(read(&mut table));
+            table.finish();
+        }
+        values
+    }
+
+    fn declare(&mut self, name: &'static str, doc: &'static str, kind: Kind) {
+        self.fields.push(Field { name, doc, kind, default: None, required: false });
+    }
+
+    /// Reports the keys nobody asked for.
+    pub(super) fn finish(&self) {
+        if self.any_keys {
+            return;
+        }
+        let names: Vec<&str> = self.fields.iter().map(|field| field.name).collect();
+        for (key, _) in self.entries.into_iter().flatten() {
+            if !names.contains(&key.get_ref().as_ref()) {
+                let reason = format!("there is no `{}` in {}", key.get_ref(), self.title);
+                self.report(key.span(), reason, suggestion("keys", key.get_ref(), &names));
+            }
+        }
+    }
+}
+
+/// The keys that a reader asks for.
+pub(super) fn declared<T>(read: fn(&mut Table) -> T) -> Vec<Field> {
+    let scratch = Problems::default();
+    let mut table = Table::new(String::new(), None, 0..0, &scratch);
+    read(&mut table);
+    table.fields
+}
+
+/// A key that is being declared.
+#[must_use]
+pub(super) struct Key<'t, 'a, T> {
+    table: &'t mut Table<'a>,
+    name: &'static str,
+    doc: &'static str,
+    bounds: Bounds,
+    value: PhantomData<T>,
+}
+
+impl<T: Value> Key<'_, '_, T> {
+    /// Numbers greater than this.
+    pub(super) fn above(mut self, low: f64) -> Self {
+        self.bounds.low = Some((low, true));
+        self
+    }
+
+    /// Numbers not less than this.
+    pub(super) fn at_least(mut self, low: f64) -> Self {
+        self.bounds.low = Some((low, false));
+        self
+    }
+
+    /// Numbers less than this.
+    pub(super) fn below(mut self, high: f64) -> Self {
+        self.bounds.high = Some((high, true));
+        self
+    }
+
+    /// Numbers not greater than this.
+    pub(super) fn at_most(mut self, high: f64) -> Self {
+        self.bounds.high = Some((high, false));
+        self
+    }
+
+    /// The value, or the default if the key is left out.
+    pub(super) fn or(self, default: T) -> T {
+        self.read(&default, true, false).unwrap_or(default)
+    }
+
+    /// The value; a key that is left out is reported, with the example as what to write.
+    pub(super) fn required(self, example: T) -> T {
+        self.read(&example, false, true).unwrap_or(example)
+    }
+
+    /// The value, if there is one; the example is for the message about a wrong one.
+    pub(super) fn optional(self, example: T) -> Option<T> {
+        self.read(&example, false, false)
+    }
+
+    fn read(self, example: &T, is_default: bool, required: bool) -> Option<T> {
+        let Key { table, name, doc, bounds, .. } = self;
+        table.fields.push(Field {
+            name,
+            doc,
+            kind: T::kind(bounds),
+            default: is_default.then(|| example.json()),
+            required,
+        });
+        let example = format!("{name} = {}", example.json());
+        let Some((_, value)) = table.entry(name) else {
+            if required {
+                let reason = format!("{} has no `{name}`", table.title);
+                table.report(table.place.clone(), reason, format!("add for example {example}"));
+            }
+            return None;
+        };
+        T::read(name, value, bounds, &example).map_err(|problem| table.problems.borrow_mut().push(problem)).ok()
+    }
+}

@@ -1,0 +1,35 @@
+//! The JSON schema says what the reader accepts.
+
+use immerse::scene::Scene;
+use serde_json::Value;
+
+#[test]
+fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
+    let schema = Scene::schema();
+    let at = |pointer: &str| schema.pointer(pointer).unwrap_or_else(|| panic!("no {pointer}")).clone();
+    let sections: Vec<String> = at("/properties").as_object().unwrap().keys().cloned().collect();
+    let mut expected =
+        ["mesh", "metric", "spin", "start", "phase", "bending", "pin", "clock", "camera", "light"].to_vec();
+    expected.extend(["look", "output", "checks"]);
+    expected.sort();
+    assert_eq!(sections, expected);
+    assert_eq!(at("/properties/clock/properties/frames/default"), 1);
+    assert_eq!(at("/properties/clock/properties/frames/maximum"), 999_999.0);
+    assert_eq!(at("/properties/phase/items/properties/dt/exclusiveMinimum"), 0.0);
+    assert_eq!(at("/properties/phase/items/properties/epsilon/minItems"), 4);
+    assert_eq!(at("/properties/look/properties/front/default"), "#E0823D");
+    assert_eq!(at("/properties/pin/items/required/0"), "vertices");
+    assert_eq!(at("/additionalProperties"), false);
+}
+
+#[test]
+fn parameters_of_a_shape_stand_beside_its_name_and_the_tree_of_solids_refers_to_itself() {
+    let schema = Scene::schema();
+    let rules = schema.pointer("/properties/mesh/allOf").and_then(Value::as_array).unwrap();
+    assert_eq!(rules.len(), 10);
+    let implicit = rules.iter().find(|rule| rule.pointer("/if/properties/shape/const").unwrap() == "implicit").unwrap();
+    let items = implicit.pointer("/then/properties/parts/items").unwrap();
+    assert_eq!(items["$anchor"], "parts");
+    assert_eq!(items.pointer("/properties/group/items/$ref").unwrap(), "#parts");
+    assert_eq!(items.pointer("/properties/sphere/required/0").unwrap(), "radius");
+}
