@@ -2,6 +2,12 @@
 
 pub mod quaternion;
 
+mod block_sparse;
+mod cholesky;
 mod complex;
+mod conjugate_gradient;
 
+pub use block_sparse::{BlockMatrix, BlockPattern, IncompleteCholesky};
+pub use cholesky::{CholeskyError, SparseCholesky};
 pub use complex::Complex;
+pub use conjugate_gradient::{ConjugateGradient, SolveReport};

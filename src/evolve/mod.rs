@@ -1,1 +1,13 @@
-//! evolve
+//! The simulation: phases, THE step, stopping, and the report per frame.
+
+mod error;
+mod phase;
+mod progress;
+mod report;
+mod simulation;
+
+pub use error::{EvolveError, SetupError};
+pub use phase::{Phase, default_phases, phases_from_scene};
+pub use progress::{Observer, Progress, Unobserved};
+pub use report::FrameReport;
+pub use simulation::{Frame, Simulation};

@@ -204,6 +204,11 @@ impl Mesh {
         let h = self.edge_halfedge(e);
         self.twin(h).map(|twin| [h, twin])
     }
+    /// The one or two halfedges of an edge, the one that names it first.
+    pub fn halfedges_of(&self, e: EdgeId) -> impl Iterator<Item = HalfedgeId> + use<> {
+        let h = self.edge_halfedge(e);
+        std::iter::once(h).chain(self.twin(h))
+    }
     /// Whether an edge has a face on one side only.
     #[inline]
     pub fn is_boundary_edge(&self, e: EdgeId) -> bool {

@@ -1,1 +1,9 @@
-//! metric
+//! Edge lengths and what they determine. Positions appear only as a source of lengths.
+
+mod error;
+mod from_scene;
+mod intrinsic;
+
+pub use error::MetricError;
+pub use from_scene::from_scene;
+pub use intrinsic::{Metric, TRIANGLE_MARGIN, lengths_of_positions};

@@ -194,24 +194,52 @@ impl Default for StartSection {
 /// `[[phase]]`: one stage of the relaxation. What is left out is as in the default value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PhaseSection {
+    /// Which step is taken.
+    pub method: MethodName,
     /// (length, bending, normal rotation, torsion) weights (Eq. 20).
     pub epsilon: [f64; 4],
     /// Time step in units of the mean face area.
     pub dt: f64,
-    /// How far frames are moved toward those of the integrated surface after each step, 0 to 1 (Alg. 8).
+    /// How far the frame of a face of mean area is moved toward that of the integrated surface after each step,
+    /// 0 to 1: `1 − exp(−Δt/(a A))` of Alg. 8.
     pub feedback: f64,
-    /// The stage ends when the mean turn of a frame per step is below this (degrees).
+    /// How far frames are moved toward those of edge vectors without periods, 0 to 1.
+    pub periods: f64,
+    /// Stiffness of creases that are about to fold over; 0 lets them.
+    pub crease: f64,
+    /// The stage ends when the mean turn of a frame per step is below this (degrees),
     pub tolerance: f64,
-    /// … and not before this many steps,
+    /// and not before this many steps;
     pub min_steps: usize,
-    /// … and is said not to have converged after this many.
+    /// it is said not to have converged after this many.
     pub max_steps: usize,
 }
 
 impl Default for PhaseSection {
     fn default() -> Self {
-        Self { epsilon: [1.0, 0.0, 1.0, 0.1], dt: 300.0, feedback: 1.0, tolerance: 0.05, min_steps: 5, max_steps: 60 }
+        Self {
+            method: MethodName::Implicit,
+            epsilon: [1.0, 1e-4, 1.0, 0.1],
+            dt: 100.0,
+            feedback: 1.0,
+            periods: 1.0,
+            crease: 1.0,
+            tolerance: 0.01,
+            min_steps: 3,
+            max_steps: 400,
+        }
     }
+}
+
+/// Steps by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MethodName {
+    /// Alg. 5/8 with the basis of the norm frozen during a step.
+    Implicit,
+    /// Alg. 5/8 as printed.
+    Gradient,
+    /// Alg. 6.
+    Newton,
 }
 
 /// `[bending]`: target bending angles (Sec. 6.3).

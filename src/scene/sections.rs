@@ -81,7 +81,13 @@ fn start(table: &mut Table) -> StartSection {
 
 fn phase(table: &mut Table) -> PhaseSection {
     let default = PhaseSection::default();
+    let method = table.choice(
+        "method",
+        "The step: implicit with the norm's basis frozen, Alg. 5 as printed, or Alg. 6.",
+        &[("implicit", MethodName::Implicit), ("gradient", MethodName::Gradient), ("newton", MethodName::Newton)],
+    );
     let phase = PhaseSection {
+        method: method.unwrap_or(default.method),
         epsilon: table
             .key("epsilon", "(length, bending, normal rotation, torsion) weights, Eq. 20.")
             .at_least(0.0)
@@ -92,6 +98,15 @@ fn phase(table: &mut Table) -> PhaseSection {
             .at_least(0.0)
             .at_most(1.0)
             .or(default.feedback),
+        periods: table
+            .key("periods", "How far frames move toward those of edge vectors without periods after each step.")
+            .at_least(0.0)
+            .at_most(1.0)
+            .or(default.periods),
+        crease: table
+            .key("crease", "Stiffness of creases that are about to fold over.")
+            .at_least(0.0)
+            .or(default.crease),
         tolerance: table
             .key("tolerance", "The stage ends when the mean turn of a frame per step is below this, in degrees.")
             .above(0.0)

@@ -1,1 +1,11 @@
-//! spin
+//! Levi-Civita and spin connection, spin structure, homology generators, class queries.
+
+mod error;
+mod generators;
+mod strip;
+mod structure;
+
+pub use error::SpinError;
+pub use generators::{Generator, Homology, VertexTree};
+pub use strip::Strip;
+pub use structure::{SpinStructure, class_digits};

@@ -1,0 +1,78 @@
+//! The schedule of a relaxation: ε, Δt and feedback by stages (Eq. 21).
+
+use crate::frames::{Method, StepOptions};
+use crate::scene::{MethodName, PhaseSection};
+
+/// One stage: steps of one kind until frames stand still.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Phase {
+    /// What each step is taken with.
+    pub step: StepOptions,
+    /// How far the frame of a face of mean area moves toward that of the integrated surface, 0 to 1 (Alg. 8).
+    pub feedback: f64,
+    /// How far frames move toward those of edge vectors without periods, 0 to 1.
+    pub periods: f64,
+    /// Mean turn per step in radians below which the stage has converged.
+    pub tolerance_radians: f64,
+    /// Least number of steps.
+    pub min_steps: usize,
+    /// After this many the stage has not converged.
+    pub max_steps: usize,
+}
+
+impl Phase {
+    /// From a scene's `[[phase]]`.
+    pub fn from_scene(section: &PhaseSection) -> Phase {
+        Phase {
+            step: StepOptions {
+                method: match section.method {
+                    MethodName::Implicit => Method::Implicit,
+                    MethodName::Gradient => Method::Gradient,
+                    MethodName::Newton => Method::Newton,
+                },
+                stiffness: section.epsilon,
+                crease: section.crease,
+                dt: section.dt,
+                solver_tolerance: SOLVER_TOLERANCE,
+            },
+            feedback: section.feedback,
+            periods: section.periods,
+            tolerance_radians: section.tolerance.to_radians(),
+            min_steps: section.min_steps,
+            max_steps: section.max_steps,
+        }
+    }
+}
+
+/// The stages of a scene, or the default ones.
+pub fn phases_from_scene(sections: &[PhaseSection]) -> Vec<Phase> {
+    if sections.is_empty() { default_phases() } else { sections.iter().map(Phase::from_scene).collect() }
+}
+
+/// The stages that work from random frames on spheres, tori of every class, disks and bunnies alike.
+///
+/// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper: feedback comes in
+/// gradually, since a surface with periods collapses under full feedback while its frames are still random;
+/// periods are taken out on their own from the start; and ε₁ ends at 10⁻⁴, with creases held open.
+pub fn default_phases() -> Vec<Phase> {
+    let stage = |bending, torsion, feedback, periods, tolerance, max_steps| {
+        Phase::from_scene(&PhaseSection {
+            epsilon: [1.0, bending, 1.0, torsion],
+            feedback,
+            periods,
+            tolerance,
+            max_steps,
+            ..PhaseSection::default()
+        })
+    };
+    vec![
+        stage(1.0, 1.0, 0.1, 0.5, 0.3, 50),
+        stage(0.1, 0.1, 0.5, 0.5, 0.3, 50),
+        stage(0.01, 0.1, 1.0, 1.0, 0.1, 100),
+        stage(1e-3, 0.1, 1.0, 1.0, 0.02, 300),
+        stage(1e-4, 0.1, 1.0, 1.0, 0.01, 400),
+    ]
+}
+
+/// A residual of one percent of the step itself: tighter solves did not save outer steps.
+const SOLVER_TOLERANCE: f64 = 1e-2;

@@ -1,0 +1,38 @@
+//! Watching and stopping a running simulation.
+
+use std::ops::ControlFlow;
+
+/// The state of a relaxation after a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Phase, from 0, of `phases`.
+    pub phase: usize,
+    /// Number of phases.
+    pub phases: usize,
+    /// Steps taken in this phase and the most it may take.
+    pub step: usize,
+    /// See `step`.
+    pub max_steps: usize,
+    /// Mean turn of the frames in the last step, in degrees.
+    pub turn: f64,
+    /// The turn at which the phase ends, in degrees.
+    pub tolerance: f64,
+    /// L2 length error of the integrated surface.
+    pub l2_length_error: f64,
+}
+
+/// Told of every step; may stop the simulation.
+pub trait Observer {
+    /// Called after every step. `Break` ends the simulation with [`super::EvolveError::Stopped`].
+    fn after_step(&mut self, progress: &Progress) -> ControlFlow<()>;
+}
+
+/// Watches nothing.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Unobserved;
+
+impl Observer for Unobserved {
+    fn after_step(&mut self, _: &Progress) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
+}

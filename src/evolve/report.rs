@@ -1,0 +1,38 @@
+//! What is known of a frame besides its positions.
+
+use serde::{Deserialize, Serialize};
+
+/// One line of `inspect`: what a cached frame is worth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FrameReport {
+    /// Number of the frame, from 1.
+    pub frame: usize,
+    /// Time of the frame, unit-free.
+    pub time: f64,
+    /// Root mean square of the relative length errors of all edges.
+    pub l2_length_error: f64,
+    /// Their largest absolute value.
+    pub max_length_error: f64,
+    /// Median of their absolute values.
+    pub median_length_error: f64,
+    /// 95th percentile of their absolute values.
+    pub p95_length_error: f64,
+    /// Number of rim edges (Def. 4.1).
+    pub rims: usize,
+    /// Total intrinsic length of the rim edges.
+    pub rim_length: f64,
+    /// Number of interior vertices with figure-8 star (Sec. 2.2).
+    pub pinch_points: usize,
+    /// q_f on every generator, as digits, measured on the positions.
+    pub spin_class: String,
+    /// Energy of the frames (Eq. 20) with the last phase's ε.
+    pub energy: f64,
+    /// Period part of the edge vectors relative to their norm.
+    pub period_error: f64,
+    /// Steps taken to get here.
+    pub steps: usize,
+    /// Wall time of these steps.
+    pub seconds: f64,
+    /// Whether the last phase met its tolerance.
+    pub converged: bool,
+}

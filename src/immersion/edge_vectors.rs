@@ -1,0 +1,107 @@
+//! Edge vectors of a frame field (Eq. 41) and their period part.
+
+use super::Poisson;
+use crate::algebra::quaternion;
+use crate::mesh::{HalfedgeId, Mesh};
+use crate::metric::Metric;
+use crate::spin::Homology;
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+
+/// `ω_i(v)` for a halfedge of face `i` (Eq. 10): the edge vector as the face's own frame sees it.
+#[inline]
+pub fn halfedge_vector(mesh: &Mesh, metric: &Metric, frames: &[DQuat], h: HalfedgeId) -> DVec3 {
+    let z = metric.direction(h);
+    metric.length(mesh.edge(h)) * quaternion::rotate(frames[h.face().index()], DVec3::new(0.0, z.re, z.im))
+}
+
+/// The averaged edge vectors v̂ (Eq. 41), |E|, each in the direction of its edge.
+pub fn edge_vectors(mesh: &Mesh, metric: &Metric, frames: &[DQuat]) -> Vec<DVec3> {
+    (0..mesh.edge_count())
+        .into_par_iter()
+        .map(|e| {
+            let h = mesh.edge_halfedge(crate::mesh::EdgeId::new(e));
+            let here = halfedge_vector(mesh, metric, frames, h);
+            match mesh.twin(h) {
+                None => here,
+                Some(twin) => 0.5 * (here - halfedge_vector(mesh, metric, frames, twin)),
+            }
+        })
+        .collect()
+}
+
+/// Harmonic 1-forms: closed, and orthogonal to all differentials of functions. What v̂ has of them are its periods,
+/// the displacements by which the surface fails to close up along generators.
+#[derive(Clone, Debug)]
+pub struct Periods {
+    /// Orthonormal with respect to the primal weights; β₁ forms of |E| values.
+    basis: Vec<Vec<f64>>,
+}
+
+impl Periods {
+    /// One Poisson solve for every three generators.
+    pub fn new(mesh: &Mesh, metric: &Metric, homology: &Homology, poisson: &Poisson) -> Periods {
+        let closed: Vec<Vec<f64>> = homology
+            .generators()
+            .iter()
+            .map(|generator| {
+                // The form that counts crossings of the strip is closed, and its periods are those crossing numbers.
+                let mut form = vec![0.0; mesh.edge_count()];
+                for &h in generator.strip.exits() {
+                    let e = mesh.edge(h);
+                    form[e.index()] += if mesh.edge_halfedge(e) == h { 1.0 } else { -1.0 };
+                }
+                form
+            })
+            .collect();
+        let mut basis: Vec<Vec<f64>> = Vec::with_capacity(closed.len());
+        for group in closed.chunks(3) {
+            let value = |e: usize, k: usize| group.get(k).map_or(0.0, |form| form[e]);
+            let vectors: Vec<DVec3> =
+                (0..mesh.edge_count()).map(|e| DVec3::new(value(e, 0), value(e, 1), value(e, 2))).collect();
+            let rest = poisson.remove_exact_part(mesh, metric, &vectors);
+            for k in 0..group.len() {
+                let mut form: Vec<f64> = rest.iter().map(|v| v[k]).collect();
+                // Twice, for orthogonality to rounding.
+                for _ in 0..2 {
+                    for other in &basis {
+                        let c = inner(mesh, metric, other, &form);
+                        form.iter_mut().zip(other).for_each(|(f, o)| *f -= c * o);
+                    }
+                }
+                let norm = inner(mesh, metric, &form, &form).sqrt();
+                form.iter_mut().for_each(|f| *f /= norm);
+                basis.push(form);
+            }
+        }
+        Periods { basis }
+    }
+
+    /// Whether there are any: not on spheres and disks.
+    pub fn is_empty(&self) -> bool {
+        self.basis.is_empty()
+    }
+
+    /// The harmonic part of edge vectors: what keeps them from being exact though closed.
+    pub fn harmonic_part(&self, mesh: &Mesh, metric: &Metric, vectors: &[DVec3]) -> Vec<DVec3> {
+        let mut part = vec![DVec3::ZERO; vectors.len()];
+        for form in &self.basis {
+            let c: DVec3 = mesh.edges().map(|e| metric.primal_weight(e) * form[e.index()] * vectors[e.index()]).sum();
+            part.iter_mut().zip(form).for_each(|(p, f)| *p += c * *f);
+        }
+        part
+    }
+
+    /// Norm of the harmonic part relative to the norm of the edge lengths; 0 when all periods vanish.
+    pub fn relative_error(&self, mesh: &Mesh, metric: &Metric, vectors: &[DVec3]) -> f64 {
+        let part = self.harmonic_part(mesh, metric, vectors);
+        let weighted = |e| metric.primal_weight(e);
+        let error: f64 = mesh.edges().map(|e| weighted(e) * part[e.index()].length_squared()).sum();
+        let scale: f64 = mesh.edges().map(|e| weighted(e) * metric.length(e).powi(2)).sum();
+        (error / scale).sqrt()
+    }
+}
+
+fn inner(mesh: &Mesh, metric: &Metric, a: &[f64], b: &[f64]) -> f64 {
+    mesh.edges().map(|e| metric.primal_weight(e) * a[e.index()] * b[e.index()]).sum()
+}

@@ -1,0 +1,113 @@
+//! What a realized surface is worth: length error, rims, pinch points, class.
+
+use crate::frames::Shell;
+use crate::mesh::{EdgeId, HalfedgeId, Mesh, VertexId};
+use crate::metric::Metric;
+use crate::spin::Strip;
+use glam::{DMat3, DQuat, DVec3};
+use rayon::prelude::*;
+
+/// Relative length error over all edges, `|f_e|/ℓ_e − 1`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LengthError {
+    /// Root of the mean square.
+    pub l2: f64,
+    /// Largest absolute value.
+    pub max: f64,
+    /// Median of absolute values.
+    pub median: f64,
+    /// 95th percentile of absolute values.
+    pub p95: f64,
+}
+
+/// Relative length errors of all edges, |E|, signed.
+pub fn length_errors(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> Vec<f64> {
+    mesh.edges()
+        .map(|e| {
+            let [a, b] = mesh.edge_vertices(e).map(|v| positions[v.index()]);
+            (b - a).length() / metric.length(e) - 1.0
+        })
+        .collect()
+}
+
+/// Statistics of [`length_errors`].
+pub fn length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> LengthError {
+    let errors = length_errors(mesh, metric, positions);
+    let l2 = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+    let mut sizes: Vec<f64> = errors.into_iter().map(f64::abs).collect();
+    sizes.sort_unstable_by(f64::total_cmp);
+    let quantile = |q: f64| sizes[((sizes.len() - 1) as f64 * q).round() as usize];
+    LengthError { l2, max: quantile(1.0), median: quantile(0.5), p95: quantile(0.95) }
+}
+
+/// Edges with rim bit 1 (Def. 4.1): frames in opposite hemispheres after transport.
+pub fn rims(shell: &Shell, frames: &[DQuat]) -> Vec<EdgeId> {
+    shell
+        .hinges
+        .iter()
+        .filter(|hinge| hinge.is_rim(frames))
+        .map(|hinge| hinge.edge)
+        .collect()
+}
+
+/// q_f of a closed strip under a map given by vertex positions (Def. 2.3): true for figure-8.
+///
+/// Follows the definition: the product of the rotations q_e that take normal and strip tangent of
+/// each face to those of the next, each with positive real part.
+pub fn is_figure_8(mesh: &Mesh, positions: &[DVec3], strip: &Strip) -> bool {
+    let middle = |h| 0.5 * (positions[mesh.tail(h).index()] + positions[mesh.tip(h).index()]);
+    let orientation = |(entry, exit): (HalfedgeId, HalfedgeId)| {
+        let [a, b, c] = mesh.corners(exit.face()).map(|v| positions[v.index()]);
+        let n = (b - a).cross(c - a).normalize_or(DVec3::X);
+        let t = (middle(exit) - middle(entry)).normalize_or(n.any_orthonormal_vector());
+        DMat3::from_cols(n, t, n.cross(t))
+    };
+    let orientations: Vec<DMat3> = strip.passages(mesh).map(orientation).collect();
+    let count = orientations.len();
+    let product = (0..count).fold(DQuat::IDENTITY, |product, k| {
+        // conj(q) n_i q = n_j and so on.
+        let step = DQuat::from_mat3(&(orientations[(k + 1) % count] * orientations[k].transpose())).conjugate();
+        product * if step.w < 0.0 { -step } else { step }
+    });
+    product.w > 0.0
+}
+
+/// Interior vertices whose star is figure-8 (Sec. 2.2). A map without any is an almost immersion (Def. 2.4).
+pub fn pinch_points(mesh: &Mesh, positions: &[DVec3]) -> Vec<VertexId> {
+    (0..mesh.vertex_count())
+        .into_par_iter()
+        .map(VertexId::new)
+        .filter(|&v| Strip::around_vertex(mesh, v).is_some_and(|star| is_figure_8(mesh, positions, &star)))
+        .collect()
+}
+
+/// Bending angles α of a map in radians, |E|, 0 on the boundary: the angle from the normal on the named side
+/// of an edge to the one on the other side, with the sign of Eq. 15.
+pub fn bending_angles(mesh: &Mesh, positions: &[DVec3]) -> Vec<f64> {
+    let normal = |h: HalfedgeId| {
+        let [a, b, c] = mesh.corners(h.face()).map(|v| positions[v.index()]);
+        (b - a).cross(c - a).normalize_or_zero()
+    };
+    mesh.edges()
+        .map(|e| {
+            let Some([h, twin]) = mesh.edge_sides(e) else { return 0.0 };
+            let (ni, nj) = (normal(h), normal(twin));
+            let along = (positions[mesh.tip(h).index()] - positions[mesh.tail(h).index()]).normalize_or_zero();
+            // n_j is n_i turned by α about v_ij (Eq. 1).
+            libm::atan2(ni.cross(nj).dot(along), ni.dot(nj))
+        })
+        .collect()
+}
+
+/// Mean turn between two frame fields in radians, weighted by area.
+pub fn mean_turn(shell: &Shell, before: &[DQuat], after: &[DQuat]) -> f64 {
+    let total: f64 = shell.face_areas.iter().sum();
+    let sum: f64 = (0..before.len())
+        .map(|f| {
+            let relative = before[f].conjugate() * after[f];
+            let sine = DVec3::new(relative.x, relative.y, relative.z).length();
+            shell.face_areas[f] * 2.0 * libm::atan2(sine, relative.w)
+        })
+        .sum();
+    sum / total
+}
