@@ -24,7 +24,3 @@ pub struct Surface {
     /// What had to be changed to get a valid mesh, in words for a report.
     pub repairs: Vec<String>,
 }
-/// temp
-pub fn from_scene(section: &crate::scene::MeshSection, folder: &std::path::Path) -> Result<Surface, MeshError> {
-    match section { crate::scene::MeshSection::File(p) => read(&folder.join(p)), _ => Err(MeshError::Empty) }
-}
