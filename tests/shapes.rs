@@ -166,7 +166,7 @@ fn disks() {
 /// Area and total curvature of a hyperbolic disk, and the angles of its triangles.
 #[test]
 fn hyperbolic_disks() {
-    for (curvature, radius, faces) in [(-1.0, 3.0, 5000), (-1.0, 5.0, 19000), (-4.0, 1.0, 2000), (-0.01, 3.0, 500)] {
+    for (curvature, radius, faces) in [(-1.0, 3.0, 19000), (-1.0, 5.0, 19000), (-4.0, 1.0, 2000), (-0.01, 3.0, 500)] {
         let surface = make(Shape::HyperbolicDisk { curvature, radius, faces });
         assert_topology(&surface.mesh, 1, 0, 1);
         assert!(surface.positions.is_none());
@@ -215,13 +215,12 @@ fn hyperbolic_boundary_lies_on_the_circle() {
 
 #[test]
 fn named_polyhedra() {
-    let edge = |corners: usize| corners as f64;
     for (name, faces, corner_count) in [
-        ("tetrahedron", 4, edge(4)),
-        ("cube", 12, edge(8)),
-        ("octahedron", 8, edge(6)),
-        ("icosahedron", 20, edge(12)),
-        ("dodecahedron", 60, edge(20)),
+        ("tetrahedron", 4, 4),
+        ("cube", 12, 8),
+        ("octahedron", 8, 6),
+        ("icosahedron", 20, 12),
+        ("dodecahedron", 60, 20),
     ] {
         for n in [1, 2, 3, 8] {
             let source = PolyhedronSource::Named(name.into());
@@ -237,8 +236,8 @@ fn named_polyhedra() {
                 .map(|v| 360.0 - surface.mesh.outgoing(v).map(|h| angles[h.face().index()][h.corner()]).sum::<f64>())
                 .filter(|defect| defect.abs() > 1e-6)
                 .collect();
-            assert_eq!(curved.len() as f64, corner_count, "{name}");
-            assert!(curved.iter().all(|d| (d - 720.0 / corner_count).abs() < 1e-6), "{name}");
+            assert_eq!(curved.len(), corner_count, "{name}");
+            assert!(curved.iter().all(|d| (d - 720.0 / corner_count as f64).abs() < 1e-6), "{name}");
         }
     }
 }
@@ -394,10 +393,11 @@ fn hare() -> Solid {
     for side in [-1.0, 1.0] {
         parts.extend([
             (egg([-0.22, side * 0.30, 0.30], [0.30, 0.14, 0.27], [0.0, 0.0, 0.0]), 0.10),
-            (capsule([-0.20, side * 0.34, 0.08], [0.24, side * 0.34, 0.08], [0.09, 0.08]), 0.06),
+            (capsule([-0.20, side * 0.34, 0.08], [0.22, side * 0.35, 0.08], [0.10, 0.085]), 0.14),
             (capsule([0.34, side * 0.16, 0.60], [0.42, side * 0.15, 0.08], [0.12, 0.08]), 0.10),
             (capsule([0.42, side * 0.15, 0.08], [0.52, side * 0.15, 0.07], [0.08, 0.07]), 0.04),
-            (egg([0.18, side * 0.15, 1.52], [0.09, 0.055, 0.36], [side * -12.0, -20.0, 0.0]), 0.08),
+            (capsule([0.30, side * 0.09, 1.20], [0.06, side * 0.21, 1.82], [0.075, 0.055]), 0.08),
+            (egg([0.17, side * 0.155, 1.54], [0.115, 0.065, 0.30], [side * -11.0, -21.0, 0.0]), 0.06),
         ]);
     }
     join(parts.into_iter().map(|(body, blend)| (body, Operation::Union, blend)))
@@ -411,7 +411,7 @@ fn duck() -> Solid {
             (capsule([-0.55, 0.0, 0.12], [-0.85, 0.0, 0.34], [0.20, 0.06]), 0.2),
             (capsule([0.42, 0.0, 0.20], [0.48, 0.0, 0.62], [0.22, 0.17]), 0.2),
             (ball([0.52, 0.0, 0.76], 0.27), 0.1),
-            (egg([0.84, 0.0, 0.70], [0.20, 0.13, 0.06], [0.0, 8.0, 0.0]), 0.06),
+            (egg([0.84, 0.0, 0.70], [0.20, 0.13, 0.075], [0.0, 8.0, 0.0]), 0.06),
             (egg([-0.10, 0.42, 0.06], [0.42, 0.10, 0.22], [0.0, -12.0, 0.0]), 0.08),
             (egg([-0.10, -0.42, 0.06], [0.42, 0.10, 0.22], [0.0, -12.0, 0.0]), 0.08),
         ]
@@ -422,19 +422,8 @@ fn duck() -> Solid {
 #[test]
 fn hare_and_duck_are_spheres_with_good_triangles() {
     for (name, solid, edge_length) in [("hare", hare(), 0.035), ("duck", duck(), 0.04)] {
-        let start = std::time::Instant::now();
         let surface = make(Shape::Implicit { solid, edge_length });
-        println!("{name} took {:?}", start.elapsed());
-        if let Ok(folder) = std::env::var("DUMP") {
-            let mut text = String::new();
-            for p in surface.positions.as_ref().unwrap() {
-                text += &format!("v {} {} {}\n", p.x, p.y, p.z);
-            }
-            for [a, b, c] in surface.mesh.triangles() {
-                text += &format!("f {} {} {}\n", a + 1, b + 1, c + 1);
-            }
-            std::fs::write(format!("{folder}/{name}.obj"), text).unwrap();
-        }
+        print!("{name}: ");
         assert_remeshed(&surface, edge_length, 0);
     }
 }

@@ -32,7 +32,7 @@ pub fn implicit(solid: &Solid, edge_length: f64) -> Result<Surface, MeshError> {
     let margin = DVec3::new(2.13, 2.29, 2.41) * spacing;
     let cells = ((high - low + 2.0 * margin) / spacing).ceil();
     let count = cells.x * cells.y * cells.z;
-    if !(count <= CELL_LIMIT) {
+    if count > CELL_LIMIT || count.is_nan() {
         let reason = format!("edges of {edge_length} need a grid of {count:.3e} cells, {CELL_LIMIT:.0e} are the limit");
         return Err(invalid(SHAPE, reason, "raise `edge_length` or make the solid smaller"));
     }
