@@ -212,7 +212,7 @@ fn malformed_lines_are_named() {
     cut.truncate(cut.len() - 5);
     assert_refused("a.ply", cut, &["a list claims 3 values, but the file ends before"]);
     let one_less = stl_ascii().replacen("      vertex 0 0 0\n", "", 1);
-    assert_refused("a.stl", one_less, &[":6:", "2 vertices", "exactly three"]);
+    assert_refused("a.stl", one_less, &[":7:", "2 vertices", "exactly three"]);
     let mut cut = stl_binary();
     cut[..5].copy_from_slice(b"model");
     cut.truncate(200);

@@ -87,12 +87,12 @@ impl Mesh {
         // Edges are numbered in the order in which halfedges first meet them.
         let mut halfedge_edges = vec![EdgeId(0); twins.len()];
         let mut edge_halfedges = Vec::with_capacity(twins.len() / 2 + 1);
-        for h in 0..twins.len() {
-            if twins[h] == NONE || (h as u32) < twins[h] {
+        for (h, &twin) in twins.iter().enumerate() {
+            if twin == NONE || (h as u32) < twin {
                 halfedge_edges[h] = EdgeId::new(edge_halfedges.len());
                 edge_halfedges.push(HalfedgeId::new(h));
             } else {
-                halfedge_edges[h] = halfedge_edges[twins[h] as usize];
+                halfedge_edges[h] = halfedge_edges[twin as usize];
             }
         }
 

@@ -2,12 +2,15 @@
 
 mod connectivity;
 mod error;
+mod from_scene;
 mod ids;
 mod read;
 mod repair;
+pub mod shapes;
 
 pub use connectivity::Mesh;
 pub use error::MeshError;
+pub use from_scene::from_scene;
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
 pub use read::{read, read_edge_lengths};
 pub use repair::{Repaired, repair};

@@ -1,0 +1,95 @@
+//! The Platonic solids, with corners at distance 1 from the origin, and a block with two holes.
+
+use glam::DVec3;
+
+use crate::mesh::Mesh;
+
+type Polyhedron = (Vec<DVec3>, Vec<Vec<usize>>);
+
+pub(super) fn named(name: &str) -> Option<Polyhedron> {
+    Some(match name {
+        "tetrahedron" => on_unit_sphere(
+            &[[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]],
+            &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2]],
+        ),
+        "cube" => {
+            let corners: Vec<[f64; 3]> =
+                (0..8).map(|v| [v & 1, v >> 1 & 1, v >> 2].map(|bit| if bit == 1 { 1.0 } else { -1.0 })).collect();
+            on_unit_sphere(
+                &corners,
+                &[&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]],
+            )
+        }
+        "octahedron" => on_unit_sphere(
+            &[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
+            &[&[0, 2, 4], &[2, 1, 4], &[1, 3, 4], &[3, 0, 4], &[2, 0, 5], &[1, 2, 5], &[3, 1, 5], &[0, 3, 5]],
+        ),
+        "icosahedron" => {
+            let (corners, triangles) = icosahedron();
+            (corners, triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect())
+        }
+        "dodecahedron" => dodecahedron()?,
+        "genus_two" => genus_two(),
+        _ => return None,
+    })
+}
+
+fn on_unit_sphere(corners: &[[f64; 3]], polygons: &[&[usize]]) -> Polyhedron {
+    (corners.iter().map(|&v| DVec3::from(v).normalize()).collect(), polygons.iter().map(|p| p.to_vec()).collect())
+}
+
+pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let golden = (1.0 + 5f64.sqrt()) / 2.0;
+    let mut corners = Vec::with_capacity(12);
+    for (long, short) in [(golden, 1.0), (golden, -1.0), (-golden, 1.0), (-golden, -1.0)] {
+        corners.extend([[0.0, short, long], [short, long, 0.0], [long, 0.0, short]]);
+    }
+    let corners: Vec<DVec3> = corners.into_iter().map(|v| DVec3::from(v).normalize()).collect();
+    // The faces are the triples of corners at edge distance.
+    let near = |a: usize, b: usize| corners[a].distance_squared(corners[b]) < 1.2;
+    let mut triangles = Vec::with_capacity(20);
+    for a in 0..12 {
+        for b in a + 1..12 {
+            for c in b + 1..12 {
+                if near(a, b) && near(b, c) && near(c, a) {
+                    let outward = corners[a].dot(corners[b].cross(corners[c])) > 0.0;
+                    let (b, c) = if outward { (b, c) } else { (c, b) };
+                    triangles.push([a as u32, b as u32, c as u32]);
+                }
+            }
+        }
+    }
+    (corners, triangles)
+}
+
+/// Dual to the icosahedron: a corner per face, a pentagon per corner.
+fn dodecahedron() -> Option<Polyhedron> {
+    let (corners, triangles) = icosahedron();
+    let mesh = Mesh::from_faces(corners.len(), &triangles).ok()?;
+    let centers = triangles.iter().map(|t| t.map(|v| corners[v as usize]).iter().sum::<DVec3>().normalize()).collect();
+    let pentagons = mesh.vertices().map(|v| mesh.outgoing(v).map(|h| h.face().index()).collect()).collect();
+    Some((centers, pentagons))
+}
+
+/// A block of 5 × 3 × 1 unit cubes without the second and the fourth of the middle row.
+fn genus_two() -> Polyhedron {
+    let solid = |i: i32, j: i32| (0..5).contains(&i) && (0..3).contains(&j) && !(j == 1 && i % 2 == 1);
+    let corner = |i: i32, j: i32, k: i32| (k * 24 + j * 6 + i) as usize;
+    let mut corners = Vec::with_capacity(48);
+    for (k, j, i) in (0..2).flat_map(|k| (0..4).flat_map(move |j| (0..6).map(move |i| (k, j, i)))) {
+        corners.push(DVec3::new(i as f64 - 2.5, j as f64 - 1.5, k as f64 - 0.5));
+    }
+    let mut polygons = Vec::with_capacity(50);
+    for (i, j) in (0..5).flat_map(|i| (0..3).map(move |j| (i, j))).filter(|&(i, j)| solid(i, j)) {
+        let around = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+        polygons.push(around.iter().map(|&(i, j)| corner(i, j, 1)).collect());
+        polygons.push(around.iter().rev().map(|&(i, j)| corner(i, j, 0)).collect());
+        for (side, (di, dj)) in [(0, -1), (1, 0), (0, 1), (-1, 0)].into_iter().enumerate() {
+            if !solid(i + di, j + dj) {
+                let ((a, b), (c, d)) = (around[side], around[(side + 1) % 4]);
+                polygons.push(vec![corner(a, b, 0), corner(c, d, 0), corner(c, d, 1), corner(a, b, 1)]);
+            }
+        }
+    }
+    (corners, polygons)
+}
