@@ -32,7 +32,7 @@ enum Lens {
 const FIELD_OF_VIEW_DEGREES: f64 = 30.0;
 const FILL: f64 = 0.85;
 /// A shape flatter than this (ratio of the smaller two standard deviations) is seen lying on a table.
-const FLATNESS: f64 = 0.62;
+const FLATNESS: f64 = 0.75;
 
 impl Camera {
     /// A camera that sees all of `extent` from the direction the section asks for, or from a good one.
@@ -140,12 +140,20 @@ impl Camera {
         }
     }
 
+    /// Length in world space that one pixel spans at a depth z / w in clip space.
+    pub(super) fn pixel_size(&self, depth: f64, output: &Output) -> f64 {
+        let half_height = match self.lens {
+            Lens::Perspective { tangent } => tangent * self.distance(depth),
+            Lens::Orthographic { half_height } => half_height,
+        };
+        2.0 * half_height / output.height() as f64
+    }
+
     /// How much `depth` grows, as a factor and a summand, per pixel of height toward the eye.
     pub(super) fn lift_per_pixel(&self, output: &Output) -> (f64, f64) {
-        let height = output.height() as f64;
         match self.lens {
-            Lens::Perspective { tangent } => (2.0 * tangent / height, 0.0),
-            Lens::Orthographic { half_height } => (0.0, 2.0 * half_height / (height * (self.far - self.near))),
+            Lens::Perspective { tangent } => (2.0 * tangent / output.height() as f64, 0.0),
+            Lens::Orthographic { .. } => (0.0, self.pixel_size(0.0, output) / (self.far - self.near)),
         }
     }
 

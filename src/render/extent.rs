@@ -60,6 +60,17 @@ impl Extent {
         Some((center, radius))
     }
 
+    /// An axis has no sign of its own. Where most of the surface lies on one side, as the bottom of a bowl
+    /// does, it points to the other; else its largest coordinate is positive.
+    fn toward_the_open_side(&self, axis: DVec3, mean: DVec3, deviation: f64) -> DVec3 {
+        let heights = self.outermost.iter().map(|point| (*point - mean).dot(axis));
+        let (low, high) =
+            heights.fold((0.0, 0.0), |(low, high): (f64, f64), height| (low.min(height), high.max(height)));
+        let largest = axis.to_array().into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0);
+        let sign = if (low + high).abs() > 0.1 * deviation { low + high } else { largest };
+        if sign < 0.0 { -axis } else { axis }
+    }
+
     /// Principal axes, longest first, with the variances along them.
     pub(super) fn principal_axes(&self) -> [(DVec3, f64); 3] {
         let mean = self.sum / self.count.max(1.0);
@@ -67,17 +78,12 @@ impl Extent {
         let eigen = Matrix3::from_column_slice(&covariance.to_cols_array()).symmetric_eigen();
         let mut axes = [0, 1, 2].map(|column| {
             let axis = DVec3::from_slice(eigen.eigenvectors.column(column).as_slice());
-            (pointing_up(axis), eigen.eigenvalues[column].max(0.0))
+            let variance = eigen.eigenvalues[column].max(0.0);
+            (self.toward_the_open_side(axis, mean, variance.sqrt()), variance)
         });
         axes.sort_by(|a, b| b.1.total_cmp(&a.1));
         axes
     }
-}
-
-/// An axis has no sign of its own; take the one whose largest coordinate is positive.
-fn pointing_up(axis: DVec3) -> DVec3 {
-    let largest = axis.to_array().into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0);
-    if largest < 0.0 { -axis } else { axis }
 }
 
 fn outer(vector: DVec3) -> DMat3 {

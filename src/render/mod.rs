@@ -12,6 +12,7 @@ mod error;
 mod extent;
 mod film;
 mod frame;
+mod intersect;
 mod lines;
 mod look;
 mod openexr;

@@ -6,7 +6,7 @@ use super::{
     Camera, Light, Lights, Look, Output,
     color::tone_mapped,
     stage::Stage,
-    tube::{Ink, ScreenTube},
+    tube::{ScreenTube, Stroke},
     visibility::{Shade, Visibility, side_normal},
 };
 
@@ -63,9 +63,9 @@ impl Shader<'_> {
     /// Shades a line at a place in pixels.
     pub fn tube(&self, tube: &ScreenTube, at: [f32; 2]) -> Shaded {
         let normal = tube.normal_at(at);
-        let color = match tube.ink {
-            Ink::Line => self.look.line,
-            Ink::Rim => self.lit(self.look.rim, normal, Vec3A::Z, 1.0, |_, _| 1.0),
+        let color = match tube.stroke {
+            Stroke::Outline { .. } | Stroke::Line => self.look.line,
+            Stroke::Raised => self.lit(self.look.rim, normal, Vec3A::Z, 1.0, |_, _| 1.0),
         };
         Shaded { color: tone_mapped(color), normal }
     }
@@ -88,8 +88,8 @@ impl Shader<'_> {
             if lambert == 0.0 {
                 continue;
             }
-            let share = if light.shadow { SHADOW_LEAK + (1.0 - SHADOW_LEAK) * seen(index, light) } else { 1.0 };
-            diffuse += light.color * (lambert * share);
+            let share = if light.shadow { seen(index, light) } else { 1.0 };
+            diffuse += light.color * (lambert * (SHADOW_LEAK + (1.0 - SHADOW_LEAK) * share));
             if light.shadow && cosine > 0.0 {
                 let halfway = normal.dot((light.direction + toward_eye).normalize_or_zero()).max(0.0);
                 let fade = (cosine * 4.0).min(1.0);

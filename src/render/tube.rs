@@ -4,7 +4,7 @@ use glam::{DVec3, Vec2, Vec3A};
 
 use super::{Camera, Output};
 
-/// A line segment on the picture with round ends, raised toward the eye by its radius.
+/// A line segment on the picture with round ends.
 #[derive(Clone, Debug)]
 pub struct ScreenTube {
     from: Vec2,
@@ -14,22 +14,28 @@ pub struct ScreenTube {
     radius: f32,
     /// Factor and summand that lift a depth by one pixel.
     lift: (f64, f64),
-    /// What it is drawn with.
-    pub ink: Ink,
+    /// What it is drawn as.
+    pub stroke: Stroke,
 }
 
 /// Kinds of lines.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Ink {
-    /// Flat line colour: silhouettes, boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stroke {
+    /// A flat ribbon `sink` pixels behind its axis, so that the surface it outlines hides the inner half
+    /// and what the mesh has of zigzags there: silhouettes.
+    Outline {
+        /// How far behind.
+        sink: f32,
+    },
+    /// A tube in flat colour: boundary and self-intersections.
     Line,
-    /// Lit rim colour.
-    Rim,
+    /// A tube that is lit: rims and pinch points.
+    Raised,
 }
 
 impl ScreenTube {
     /// A tube of `radius` pixels between two points in pixels and depth.
-    pub fn new(ends: [DVec3; 2], radius: f32, ink: Ink, camera: &Camera, output: &Output) -> Self {
+    pub fn new(ends: [DVec3; 2], radius: f32, stroke: Stroke, camera: &Camera, output: &Output) -> Self {
         let [from, to] = ends.map(|end| Vec2::new(end.x as f32, end.y as f32));
         let along = to - from;
         let inverse_length_squared = if along.length_squared() > 1e-12 { 1.0 / along.length_squared() } else { 0.0 };
@@ -40,7 +46,7 @@ impl ScreenTube {
             depths: ends.map(|end| end.z),
             radius,
             lift: camera.lift_per_pixel(output),
-            ink,
+            stroke,
         }
     }
 
@@ -71,13 +77,18 @@ impl ScreenTube {
             return None;
         }
         let depth = self.depths[0] + (self.depths[1] - self.depths[0]) * f64::from(part);
-        let height = f64::from(self.radius * height_squared.sqrt());
+        let height = f64::from(match self.stroke {
+            Stroke::Outline { sink } => -sink,
+            Stroke::Line | Stroke::Raised => self.radius * height_squared.sqrt(),
+        });
         Some((depth * (1.0 + self.lift.0 * height) + self.lift.1 * height) as f32)
     }
 
-    /// Normal in view space at a place, as if the tube lay in the picture plane.
+    /// Normal in view space at a place, as if the tube lay in the picture plane and went on beyond its
+    /// ends, so that joints do not show.
     pub fn normal_at(&self, at: [f32; 2]) -> Vec3A {
-        let (_, offset) = self.nearest(Vec2::from(at));
+        let offset = (Vec2::from(at) - self.from) / self.radius;
+        let offset = offset - self.along * (offset.dot(self.along) * self.inverse_length_squared);
         let height = (1.0 - offset.length_squared()).max(0.0).sqrt();
         Vec3A::new(offset.x, -offset.y, height).normalize_or(Vec3A::Z)
     }

@@ -42,6 +42,8 @@ const SKY_RAY_BUDGET: usize = 2_500_000;
 const SKY_SMOOTHING: usize = 2;
 /// Rays per shadow.
 const SHADOW_RAYS: usize = 16;
+/// Of which these come first.
+const SHADOW_PROBES: usize = 6;
 /// Radius of a light, as the tangent of the angle it is seen under.
 const LIGHT_RADIUS: f32 = 0.08;
 /// Rays start this far above the surface, in framed radii.
@@ -49,7 +51,7 @@ const LIFT: f32 = 1e-3;
 /// Shadow rays rise above the surface by at least this sine, so that a coarse mesh does not shade itself.
 const LEAST_RISE: f32 = 0.15;
 /// Faces with an edge longer than this many pixels are always looked at pixel by pixel.
-const LARGE_FACE: f32 = 24.0;
+const LARGE_FACE: f32 = 48.0;
 
 impl Visibility {
     pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
@@ -62,7 +64,12 @@ impl Visibility {
                 vec![1.0; stage.positions.len()]
             }
         });
-        let mut visibility = Self { occluder, sky, shade: Vec::new(), shadow_points: disk_points(SHADOW_RAYS) };
+        let mut visibility = Self {
+            occluder,
+            sky,
+            shade: Vec::new(),
+            shadow_points: disk_points(SHADOW_RAYS).into_iter().rev().collect(),
+        };
         visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
         visibility
     }
@@ -84,11 +91,20 @@ impl Visibility {
         let center = (light.direction + normal * (LEAST_RISE - rise).max(0.0)).normalize();
         let [right, up] = tangents(center);
         let origin = point + normal * LIFT;
-        let blocked = self.shadow_points.iter().filter(|&&place| {
-            let [x, y] = turned(place, turn);
-            self.occluder.blocks(origin, (center + (right * x + up * y) * LIGHT_RADIUS).normalize())
-        });
-        1.0 - blocked.count() as f32 / SHADOW_RAYS as f32
+        let blocked = |points: &[[f32; 2]]| {
+            let blocked = points.iter().filter(|&&place| {
+                let [x, y] = turned(place, turn);
+                self.occluder.blocks(origin, (center + (right * x + up * y) * LIGHT_RADIUS).normalize())
+            });
+            blocked.count()
+        };
+        // If the rays along the edge of the light agree, so will the others.
+        let (outer, inner) = self.shadow_points.split_at(SHADOW_PROBES);
+        match blocked(outer) {
+            0 => 1.0,
+            SHADOW_PROBES => 0.0,
+            count => 1.0 - (count + blocked(inner)) as f32 / SHADOW_RAYS as f32,
+        }
     }
 
     fn shade_per_face(&self, stage: &Stage, light: &Light, seen: &[[bool; 2]]) -> Vec<Shade> {
