@@ -128,7 +128,8 @@ const KEY_WRAP: f32 = 0.2;
 const FILL_WRAP: f32 = 0.3;
 
 impl Default for Lights {
-    /// The studio: a warm key from the upper left with soft shadows and a cool fill from the right.
+    /// The studio: a warm key from the upper left with soft shadows, a cool fill from the right, and a faint
+    /// warm kicker from below, so that undersides keep their shape.
     fn default() -> Self {
         Self(vec![
             Light {
@@ -140,6 +141,12 @@ impl Default for Lights {
             Light {
                 direction: Vec3A::new(0.85, 0.10, 0.35).normalize(),
                 color: Vec3::new(0.80, 0.88, 1.0) * 0.12,
+                wrap: FILL_WRAP,
+                shadow: false,
+            },
+            Light {
+                direction: Vec3A::new(0.30, -0.80, 0.35).normalize(),
+                color: Vec3::new(1.0, 0.90, 0.80) * 0.09,
                 wrap: FILL_WRAP,
                 shadow: false,
             },

@@ -12,8 +12,10 @@ pub struct ScreenTriangle {
     pub id: u32,
     /// Corners in subpixels.
     pub corners: [[i64; 2]; 3],
-    /// Depth at corner 0 and its change per subpixel in x and y.
-    pub depth: [f64; 3],
+    /// A point of its plane in pixels and depth.
+    pub first: DVec3,
+    /// Change of the depth per pixel in x and y.
+    pub slope: [f64; 2],
     /// Least and greatest depth of the corners, so that slivers cannot overshoot.
     pub depth_range: [f64; 2],
 }
@@ -142,12 +144,9 @@ fn crossing(inside: DVec4, outside: DVec4, distance_inside: f64, distance_outsid
 fn screen_triangle(id: u32, pixels: [DVec3; 3], output: &Output) -> Option<ScreenTriangle> {
     let snap = |value: f64| (value * SUBPIXELS as f64 + 0.5).floor() as i64;
     let mut corners = pixels.map(|pixel| [snap(pixel.x), snap(pixel.y)]);
-    let mut depths = pixels.map(|pixel| pixel.z);
-    let mut area = doubled_area(corners);
+    let area = doubled_area(corners);
     if area < 0 {
         corners.swap(1, 2);
-        depths.swap(1, 2);
-        area = -area;
     }
     // The filter looks one pixel beyond the picture.
     let limits = [output.width(), output.height()].map(|size| (size as i64 + 1) * SUBPIXELS);
@@ -158,14 +157,15 @@ fn screen_triangle(id: u32, pixels: [DVec3; 3], output: &Output) -> Option<Scree
     if area == 0 || outside {
         return None;
     }
-    let [[x0, y0], [x1, y1], [x2, y2]] = corners.map(|corner| corner.map(|value| value as f64));
-    let (rise1, rise2) = (depths[1] - depths[0], depths[2] - depths[0]);
-    let area = area as f64;
-    let slope_x = (rise1 * (y2 - y0) - rise2 * (y1 - y0)) / area;
-    let slope_y = (rise2 * (x1 - x0) - rise1 * (x2 - x0)) / area;
+    // The depth plane is that of the triangle before snapping, which moves the picture but not the surface.
+    let (to_1, to_2) = (pixels[1] - pixels[0], pixels[2] - pixels[0]);
+    let exact_area = to_1.x * to_2.y - to_1.y * to_2.x;
+    let slope = [to_1.z * to_2.y - to_2.z * to_1.y, to_2.z * to_1.x - to_1.z * to_2.x]
+        .map(|rise| if exact_area == 0.0 { 0.0 } else { rise / exact_area });
+    let depths = pixels.map(|pixel| pixel.z);
     let depth_range =
         [depths.iter().copied().fold(f64::MAX, f64::min), depths.iter().copied().fold(f64::MIN, f64::max)];
-    Some(ScreenTriangle { id, corners, depth: [depths[0], slope_x, slope_y], depth_range })
+    Some(ScreenTriangle { id, corners, first: pixels[0], slope, depth_range })
 }
 
 fn doubled_area([a, b, c]: [[i64; 2]; 3]) -> i64 {

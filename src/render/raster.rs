@@ -84,7 +84,6 @@ impl SampleTile {
 
     fn draw_triangle_in(&mut self, triangle: &ScreenTriangle, edges: &[Edge; 3], block: &Region) {
         let samples = self.pattern.len();
-        let [depth, slope_x, slope_y] = triangle.depth;
         let [low, high] = triangle.depth_range;
         for y in block.y[0]..block.y[1] {
             for x in block.x[0]..block.x[1] {
@@ -99,9 +98,11 @@ impl SampleTile {
                     if (edges[0].at(at) | edges[1].at(at) | edges[2].at(at)) < 0 {
                         continue;
                     }
-                    let right = (at[0] - triangle.corners[0][0]) as f64;
-                    let down = (at[1] - triangle.corners[0][1]) as f64;
-                    let depth = (depth + slope_x * right + slope_y * down).clamp(low, high) as f32;
+                    let [right, down] = at.map(|place| place as f64 / SUBPIXELS as f64);
+                    let depth = triangle.first.z
+                        + triangle.slope[0] * (right - triangle.first.x)
+                        + triangle.slope[1] * (down - triangle.first.y);
+                    let depth = depth.clamp(low, high) as f32;
                     if depth > self.depth[first + sample] {
                         self.depth[first + sample] = depth;
                         self.id[first + sample] = triangle.id;

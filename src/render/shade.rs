@@ -105,7 +105,7 @@ impl Shader<'_> {
         let x = 2.0 * f64::from(at[0]) / self.output.width() as f64 - 1.0;
         let y = 1.0 - 2.0 * f64::from(at[1]) / self.output.height() as f64;
         let (origin, direction) = self.camera.view_ray(x, y);
-        let (origin, direction) = (self.stage.from_view(origin), direction.as_vec3a().normalize());
+        let (origin, direction) = (self.stage.of_view(origin), direction.as_vec3a().normalize());
         let [a, b, c] = self.stage.faces[face].map(|vertex| self.stage.positions[vertex as usize]);
         // Möller and Trumbore; the ray meets the face by construction, up to rounding at its edges.
         let (to_b, to_c, to_origin) = (b - a, c - a, origin - a);

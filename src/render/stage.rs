@@ -51,8 +51,7 @@ impl Stage {
         };
         let faces: Vec<[u32; 3]> = scenery.triangles.par_iter().copied().filter(usable).collect();
 
-        let (eye, _) = camera.view_ray(0.0, 0.0);
-        let (_, sight) = camera.view_ray(0.0, 0.0);
+        let (eye, sight) = camera.view_ray(0.0, 0.0);
         let perspective = camera.is_perspective();
         let eye = (eye - center) / radius;
         let face_normals: Vec<DVec3> = faces
@@ -89,7 +88,7 @@ impl Stage {
     }
 
     /// A point of view space in stage space.
-    pub fn from_view(&self, point: DVec3) -> Vec3A {
+    pub fn of_view(&self, point: DVec3) -> Vec3A {
         ((point - self.center) / self.radius).as_vec3a()
     }
 
