@@ -14,6 +14,9 @@ use super::{
     visibility::Visibility,
 };
 
+/// Tiles in the making at the same time: enough for many threads.
+const TILES_AT_A_TIME: usize = 512;
+
 /// Makes a picture. The same input gives the same bits on any number of threads.
 ///
 /// # Errors
@@ -44,10 +47,7 @@ pub fn render(
         pattern,
         shader: Shader { stage: &stage, visibility: &visibility, camera, lights, look, output },
     };
-    let columns = output.width().div_ceil(TILE);
-    let rows = output.height().div_ceil(TILE);
-    let tiles: Vec<Vec<Pixel>> = (0..columns * rows).into_par_iter().map(|tile| frame.tile(tile)).collect();
-    Ok(frame.film(&tiles, stage.skipped))
+    Ok(frame.film(stage.skipped))
 }
 
 /// What tiles are made from.
@@ -158,33 +158,38 @@ impl Frame<'_> {
         Pixel { beauty: whole(beauty), depth, normal }
     }
 
-    fn film(&self, tiles: &[Vec<Pixel>], skipped_triangles: usize) -> Film {
+    /// Makes all tiles, some rows of them at a time, so that little more than the film is in memory.
+    fn film(&self, skipped_triangles: usize) -> Film {
         let Shader { output, camera, look, .. } = self.shader;
         let (width, height) = (output.width(), output.height());
         let columns = width.div_ceil(TILE);
+        let rows_at_a_time = TILES_AT_A_TIME.div_ceil(columns);
         let world_from_view = camera.view_from_world().matrix3.transpose();
-        let pixel = |index: usize| {
-            let (x, y) = (index % width, index / width);
-            let tile_width = TILE.min(width - x / TILE * TILE);
-            &tiles[y / TILE * columns + x / TILE][y % TILE * tile_width + x % TILE]
-        };
-        let pixels = (0..width * height).into_par_iter().with_min_len(4096).map(pixel);
-        Film {
+        let mut film = Film {
             width,
             height,
             background: look.background,
-            beauty: pixels.clone().map(|pixel| pixel.beauty).collect(),
-            depth: pixels
-                .clone()
-                .map(
-                    |pixel| {
-                        if pixel.depth > 0.0 { camera.distance(f64::from(pixel.depth)) as f32 } else { f32::INFINITY }
-                    },
-                )
-                .collect(),
-            normals: pixels.map(|pixel| (world_from_view * Vec3::from(pixel.normal).as_dvec3()).as_vec3()).collect(),
+            beauty: Vec::with_capacity(width * height),
+            depth: Vec::with_capacity(width * height),
+            normals: Vec::with_capacity(width * height),
             skipped_triangles,
+        };
+        for first_row in (0..height.div_ceil(TILE)).step_by(rows_at_a_time) {
+            let top = first_row * TILE;
+            let bottom = (top + rows_at_a_time * TILE).min(height);
+            let first_tile = first_row * columns;
+            let last_tile = bottom.div_ceil(TILE) * columns;
+            let tiles: Vec<Vec<Pixel>> = (first_tile..last_tile).into_par_iter().map(|tile| self.tile(tile)).collect();
+            for (x, y) in (top..bottom).flat_map(|y| (0..width).map(move |x| (x, y))) {
+                let tile_width = TILE.min(width - x / TILE * TILE);
+                let pixel = &tiles[y / TILE * columns + x / TILE - first_tile][y % TILE * tile_width + x % TILE];
+                let seen = pixel.depth > 0.0;
+                film.beauty.push(pixel.beauty);
+                film.depth.push(if seen { camera.distance(f64::from(pixel.depth)) as f32 } else { f32::INFINITY });
+                film.normals.push((world_from_view * Vec3::from(pixel.normal).as_dvec3()).as_vec3());
+            }
         }
+        film
     }
 }
 

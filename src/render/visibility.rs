@@ -35,10 +35,11 @@ pub enum Shade {
 }
 
 /// Rays per vertex and side toward the sky, fewer on meshes so dense that neighbours help.
-const SKY_RAYS: std::ops::RangeInclusive<usize> = 24..=96;
+const SKY_RAYS: std::ops::RangeInclusive<usize> = 12..=96;
 /// … so that all together there are about this many.
 const SKY_RAY_BUDGET: usize = 2_500_000;
-/// Averaging over neighbours removes what noise is left.
+/// Averaging over neighbours removes what noise is left: this many times with all rays, more often with
+/// fewer.
 const SKY_SMOOTHING: usize = 2;
 /// Rays per shadow.
 const SHADOW_RAYS: usize = 16;
@@ -192,7 +193,7 @@ fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], side: 
             1.0 - hidden / rays as f32
         })
         .collect();
-    for _ in 0..SKY_SMOOTHING {
+    for _ in 0..SKY_SMOOTHING * SKY_RAYS.end() / rays {
         sky = smoothed(stage, &sky, side);
     }
     sky
