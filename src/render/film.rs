@@ -1,0 +1,107 @@
+use std::{
+    io::Write,
+    path::{Path, PathBuf},
+};
+
+use glam::{Vec3, Vec4};
+use image::{
+    ExtendedColorType, ImageEncoder,
+    codecs::png::{CompressionType, FilterType, PngEncoder},
+};
+use rayon::prelude::*;
+
+use super::{RenderError, color::srgb_from_linear};
+
+/// A finished picture in linear light, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    pub(super) width: usize,
+    pub(super) height: usize,
+    pub(super) background: Vec3,
+    /// Red, green, blue (already multiplied by the coverage) and coverage, after the tone curve.
+    pub(super) beauty: Vec<Vec4>,
+    /// Distance from the eye of the nearest sample, infinite where nothing is seen.
+    pub(super) depth: Vec<f32>,
+    /// Mean unit normal in world space, zero where no surface is seen.
+    pub(super) normals: Vec<Vec3>,
+    pub(super) skipped_triangles: usize,
+}
+
+impl Film {
+    /// Pixels across.
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Pixels down.
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// Triangles that were left out, because a corner is not finite or they have no area.
+    pub fn skipped_triangles(&self) -> usize {
+        self.skipped_triangles
+    }
+
+    /// Linear red, green, blue (multiplied by coverage) and coverage, row by row from the top.
+    pub fn beauty(&self) -> &[Vec4] {
+        &self.beauty
+    }
+
+    /// Distance from the eye along the axis of view, row by row; infinite where nothing is seen.
+    pub fn depth(&self) -> &[f32] {
+        &self.depth
+    }
+
+    /// Normals of the front in world space, row by row; zero where no surface is seen.
+    pub fn normals(&self) -> &[Vec3] {
+        &self.normals
+    }
+
+    /// The picture over its background as sRGB bytes, three per pixel, row by row.
+    pub fn srgb_bytes(&self) -> Vec<u8> {
+        let width = self.width;
+        let pixel = |(index, light): (usize, &Vec4)| {
+            let color = light.truncate() + self.background * (1.0 - light.w);
+            // The background alone has no gradient and needs no dither.
+            let dither = if light.w > 0.0 { dither(index % width, index / width) } else { 0.0 };
+            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
+        };
+        self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
+    }
+
+    /// Writes an 8-bit sRGB PNG. The file appears whole or not at all.
+    ///
+    /// # Errors
+    /// [`RenderError::Write`] if the file cannot be encoded or written.
+    pub fn write_png(&self, path: &Path) -> Result<(), RenderError> {
+        let mut bytes = Vec::new();
+        PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Adaptive)
+            .write_image(&self.srgb_bytes(), self.width as u32, self.height as u32, ExtendedColorType::Rgb8)
+            .map_err(|error| write_error(path, error))?;
+        write_whole(path, &bytes)
+    }
+}
+
+pub(super) fn write_error(path: &Path, error: impl std::fmt::Display) -> RenderError {
+    RenderError::Write { path: path.to_owned(), reason: error.to_string() }
+}
+
+/// Writes a temporary file next to the target, then renames it.
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
+        _ => PathBuf::from("."),
+    };
+    let mut file =
+        tempfile::Builder::new().prefix(".immerse-").tempfile_in(&folder).map_err(|error| write_error(path, error))?;
+    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| write_error(path, error))?;
+    file.persist(path).map_err(|error| write_error(path, error.error))?;
+    Ok(())
+}
+
+/// Noise of one quantization step, different from pixel to pixel and the same in every run.
+fn dither(x: usize, y: usize) -> f32 {
+    let noise = (52.982_918 * (0.067_110_56 * x as f32 + 0.005_837_15 * y as f32).fract()).fract();
+    noise - 0.5
+}

@@ -1,0 +1,218 @@
+//! How much of the sky and of each light a surface point sees.
+//!
+//! The sky is sampled once per vertex and side, where it varies slowly. Shadows have edges: they are
+//! sampled at the vertices only to find out which faces are wholly lit or wholly dark, and per pixel in
+//! the others.
+
+use glam::Vec3A;
+use rayon::prelude::*;
+
+use super::{
+    Light, Lights, Look,
+    stage::Stage,
+    trace::{Occluder, disk_points, scrambled_turn, tangents, turned},
+};
+
+/// What was found out before shading.
+pub struct Visibility {
+    occluder: Occluder,
+    /// Share of the sky per vertex, for the front and the back.
+    sky: [Vec<f32>; 2],
+    /// For each light, per face: lit, dark, or to be looked at.
+    shade: Vec<Vec<Shade>>,
+    shadow_points: Vec<[f32; 2]>,
+}
+
+/// How a light falls on a face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shade {
+    /// No shadow anywhere near.
+    Lit,
+    /// Shadow everywhere.
+    Dark,
+    /// Perhaps an edge of a shadow.
+    Mixed,
+}
+
+/// Rays per vertex and side toward the sky, fewer on meshes so dense that neighbours help.
+const SKY_RAYS: std::ops::RangeInclusive<usize> = 12..=96;
+/// … so that all together there are about this many.
+const SKY_RAY_BUDGET: usize = 2_500_000;
+/// Averaging over neighbours removes what noise is left: this many times with all rays, more often with
+/// fewer.
+const SKY_SMOOTHING: usize = 2;
+/// Rays per shadow.
+const SHADOW_RAYS: usize = 16;
+/// Of which these come first.
+const SHADOW_PROBES: usize = 6;
+/// Radius of a light, as the tangent of the angle it is seen under.
+const LIGHT_RADIUS: f32 = 0.08;
+/// Rays start this far above the surface, in framed radii.
+const LIFT: f32 = 1e-3;
+/// Shadow rays rise above the surface by at least this sine, so that a coarse mesh does not shade itself.
+const LEAST_RISE: f32 = 0.15;
+/// Faces with an edge longer than this many pixels are always looked at pixel by pixel.
+const LARGE_FACE: f32 = 48.0;
+
+impl Visibility {
+    pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
+        let occluder = Occluder::new(stage);
+        let seen = stage.sides_seen();
+        let sky = [0, 1].map(|side| {
+            if look.occlusion_reach > 0.0 {
+                sky_per_vertex(stage, &occluder, &seen, side, look.occlusion_reach)
+            } else {
+                vec![1.0; stage.positions.len()]
+            }
+        });
+        let mut visibility = Self {
+            occluder,
+            sky,
+            shade: Vec::new(),
+            shadow_points: disk_points(SHADOW_RAYS).into_iter().rev().collect(),
+        };
+        visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
+        visibility
+    }
+
+    /// Share of the sky seen at a vertex from one side (0 front, 1 back).
+    pub fn sky(&self, side: usize, vertex: u32) -> f32 {
+        self.sky[side][vertex as usize]
+    }
+
+    /// How a light falls on a face.
+    pub fn shade(&self, light: usize, face: usize) -> Shade {
+        self.shade[light].get(face).copied().unwrap_or(Shade::Lit)
+    }
+
+    /// Share of a light seen from a point whose normal, on the side that is looked at, is given. The
+    /// pattern of rays is turned by `turn` (cosine, sine).
+    pub fn light_seen(&self, light: &Light, point: Vec3A, normal: Vec3A, turn: [f32; 2]) -> f32 {
+        let rise = normal.dot(light.direction);
+        let center = (light.direction + normal * (LEAST_RISE - rise).max(0.0)).normalize();
+        let [right, up] = tangents(center);
+        let origin = point + normal * LIFT;
+        let blocked = |points: &[[f32; 2]]| {
+            let blocked = points.iter().filter(|&&place| {
+                let [x, y] = turned(place, turn);
+                self.occluder.blocks(origin, (center + (right * x + up * y) * LIGHT_RADIUS).normalize())
+            });
+            blocked.count()
+        };
+        // If the rays along the edge of the light agree, so will the others.
+        let (outer, inner) = self.shadow_points.split_at(SHADOW_PROBES);
+        match blocked(outer) {
+            0 => 1.0,
+            SHADOW_PROBES => 0.0,
+            count => 1.0 - (count + blocked(inner)) as f32 / SHADOW_RAYS as f32,
+        }
+    }
+
+    fn shade_per_face(&self, stage: &Stage, light: &Light, seen: &[[bool; 2]]) -> Vec<Shade> {
+        if !light.shadow {
+            return Vec::new();
+        }
+        // Least and greatest share per vertex and side; vertices that face away say nothing.
+        let shares: Vec<[[f32; 2]; 2]> = (0..stage.positions.len())
+            .into_par_iter()
+            .with_min_len(64)
+            .map(|vertex| {
+                [0, 1].map(|side| {
+                    let normal = side_normal(stage.normals[vertex], side);
+                    if !seen[vertex][side] || normal.dot(light.direction) <= -light.wrap {
+                        return [1.0, 0.0];
+                    }
+                    let share = self.light_seen(light, stage.positions[vertex], normal, scrambled_turn(vertex as u32));
+                    [share, share]
+                })
+            })
+            .collect();
+        let widen = |[low, high]: [f32; 2], share: &[f32; 2]| [low.min(share[0]), high.max(share[1])];
+        let over_faces = |shares: &[[[f32; 2]; 2]]| -> Vec<[f32; 2]> {
+            let sides = stage.shows_front.iter().map(|&front| usize::from(!front));
+            let corners = stage.faces.iter().zip(sides);
+            corners
+                .map(|(f, side)| f.iter().fold([1.0, 0.0], |range, &v| widen(range, &shares[v as usize][side])))
+                .collect()
+        };
+        // One ring of neighbours more, because a shadow's edge may miss all three corners.
+        let mut around = vec![[[1.0, 0.0]; 2]; stage.positions.len()];
+        for (face, range) in over_faces(&shares).iter().enumerate() {
+            let side = usize::from(!stage.shows_front[face]);
+            for &vertex in &stage.faces[face] {
+                around[vertex as usize][side] = widen(around[vertex as usize][side], range);
+            }
+        }
+        over_faces(&around)
+            .iter()
+            .zip(&stage.faces)
+            .map(|([low, high], corners)| {
+                let pixels = corners.map(|vertex| stage.pixels[vertex as usize]);
+                let small = (0..3).all(|k| pixels[k].distance(pixels[(k + 1) % 3]) < LARGE_FACE);
+                match (*low, *high) {
+                    (low, high) if small && low > high => Shade::Lit,
+                    (low, _) if small && low >= 1.0 => Shade::Lit,
+                    (_, high) if small && high <= 0.0 => Shade::Dark,
+                    _ => Shade::Mixed,
+                }
+            })
+            .collect()
+    }
+}
+
+/// The normal on one side (0 front, 1 back).
+pub fn side_normal(normal: Vec3A, side: usize) -> Vec3A {
+    if side == 0 { normal } else { -normal }
+}
+
+fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], side: usize, reach: f32) -> Vec<f32> {
+    let wanted = seen.iter().filter(|sides| sides[side]).count().max(1);
+    let rays = (SKY_RAY_BUDGET / wanted).clamp(*SKY_RAYS.start(), *SKY_RAYS.end());
+    let points = disk_points(rays);
+    let mut sky: Vec<f32> = (0..stage.positions.len())
+        .into_par_iter()
+        .with_min_len(64)
+        .map(|vertex| {
+            let normal = side_normal(stage.normals[vertex], side);
+            if !seen[vertex][side] || normal == Vec3A::ZERO {
+                return 1.0;
+            }
+            let [right, up] = tangents(normal);
+            let turn = scrambled_turn(vertex as u32);
+            let origin = stage.positions[vertex] + normal * LIFT;
+            let hidden: f32 = points
+                .iter()
+                .map(|&place| {
+                    // Even on the disk is cosine-weighted on the hemisphere.
+                    let [x, y] = turned(place, turn);
+                    let height = (1.0 - x * x - y * y).max(0.0).sqrt();
+                    let direction = (right * x + up * y + normal * height).normalize();
+                    occluder.distance(origin, direction, reach).map_or(0.0, |far| (1.0 - far / reach).max(0.0).sqrt())
+                })
+                .sum();
+            1.0 - hidden / rays as f32
+        })
+        .collect();
+    for _ in 0..SKY_SMOOTHING * SKY_RAYS.end() / rays {
+        sky = smoothed(stage, &sky, side);
+    }
+    sky
+}
+
+/// Each vertex takes half of its value from its neighbours, over the faces seen from this side.
+fn smoothed(stage: &Stage, values: &[f32], side: usize) -> Vec<f32> {
+    let mut sums = vec![(0.0_f32, 0.0_f32); values.len()];
+    for (corners, &front) in stage.faces.iter().zip(&stage.shows_front) {
+        if usize::from(!front) != side {
+            continue;
+        }
+        for k in 0..3 {
+            let around = values[corners[(k + 1) % 3] as usize] + values[corners[(k + 2) % 3] as usize];
+            let sum = &mut sums[corners[k] as usize];
+            *sum = (sum.0 + around, sum.1 + 2.0);
+        }
+    }
+    let blend =
+        |(&value, &(sum, count)): (&f32, &(f32, f32))| if count > 0.0 { (value + sum / count) / 2.0 } else { value };
+    values.iter().zip(&sums).map(blend).collect()
+}

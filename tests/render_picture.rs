@@ -1,0 +1,311 @@
+//! Whole pictures: light that is known, files that are read back, input that is broken.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec3, Vec3};
+use immerse::{
+    render::{Camera, Extent, Film, Lights, Look, Output, RenderError, Scenery, render},
+    scene::{CameraSection, LightSection, LookSection, OutputSection},
+};
+
+/// A torus of revolution around y.
+fn torus(columns: u32, rows: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let position = |index: u32| {
+        let (u, v) = (index % columns, index / columns);
+        let (u, v) = (TAU * f64::from(u) / f64::from(columns), TAU * f64::from(v) / f64::from(rows));
+        let radius = 1.0 + 0.4 * libm::cos(v);
+        DVec3::new(radius * libm::cos(u), 0.4 * libm::sin(v), -radius * libm::sin(u))
+    };
+    let id = |u: u32, v: u32| (v % rows) * columns + u % columns;
+    let cells = (0..rows).flat_map(|v| (0..columns).map(move |u| (u, v)));
+    let triangles = cells
+        .flat_map(|(u, v)| [[id(u, v), id(u + 1, v), id(u + 1, v + 1)], [id(u, v), id(u + 1, v + 1), id(u, v + 1)]]);
+    ((0..columns * rows).map(position).collect(), triangles.collect())
+}
+
+/// A sphere of triangles, poles left open by a hair.
+fn sphere() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+    let (columns, rows) = (48, 24);
+    let (positions, triangles) = torus(columns, rows);
+    let directions: Vec<DVec3> = (0..positions.len() as u32)
+        .map(|index| {
+            let (u, v) = (f64::from(index % columns), f64::from(index / columns));
+            let (u, v) = (TAU * u / f64::from(columns), TAU / 2.0 * (0.002 + 0.996 * v / f64::from(rows - 1)));
+            DVec3::new(libm::sin(v) * libm::cos(u), -libm::cos(v), -libm::sin(v) * libm::sin(u))
+        })
+        .collect();
+    // The last row of cells would close the torus.
+    let kept = triangles.len() - 2 * columns as usize;
+    (directions, triangles[..kept].to_vec())
+}
+
+fn shown(positions: &[DVec3], triangles: &[[u32; 3]], look: &Look, output: &Output) -> Film {
+    let camera = Camera::framing(&CameraSection::default(), &Extent::of(positions), output).expect("a view");
+    let scenery = Scenery { triangles, positions, ..Scenery::default() };
+    render(&scenery, &camera, &Lights::default(), look, output).expect("a picture")
+}
+
+#[test]
+fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
+    let (positions, triangles) = sphere();
+    let surround = Vec3::splat(0.75);
+    let look = Look {
+        front: Vec3::ONE,
+        back: Vec3::ONE,
+        background: surround,
+        sky: surround,
+        ground: surround,
+        rim_darkening: 0.0,
+        lines: false,
+        ..Look::default()
+    };
+    let output = Output::new(96, 72, 8).expect("a size");
+    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
+    let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+    assert!(film.beauty()[36 * 96 + 48].w == 1.0, "the sphere is there");
+    let bytes = film.srgb_bytes();
+    let (least, most) = (bytes.iter().min().copied(), bytes.iter().max().copied());
+    // Dithering may move a value by one step.
+    assert!(most <= least.map(|byte| byte + 1), "from {least:?} to {most:?}");
+}
+
+#[test]
+fn the_hollow_of_a_torus_gets_less_ambient_light_and_its_outside_all_of_it() {
+    let (positions, triangles) = torus(96, 40);
+    let output = Output::new(160, 120, 4).expect("a size");
+    let section = CameraSection { direction: Some([0.0, 1.0, 0.0]), up: Some([0.0, 0.0, -1.0]), ..Default::default() };
+    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
+    let [open, occluded] = [0.0, 2.0].map(|occlusion_reach| {
+        let look = Look { lines: false, occlusion_reach, ..Look::default() };
+        render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture")
+    });
+    // From above, along the horizontal through the middle: the outer flank, then the inner one.
+    let row = 60 * 160..60 * 160 + 80;
+    let shares: Vec<f32> = row
+        .filter(|&pixel| open.beauty()[pixel].w == 1.0)
+        .map(|pixel| occluded.beauty()[pixel].x / open.beauty()[pixel].x)
+        .collect();
+    let (outer, inner) = (shares[2], shares[shares.len() - 2]);
+    assert!(outer > 0.999 && (0.4..0.9).contains(&inner), "inner flank {inner}, outer flank {outer}");
+}
+
+#[test]
+fn a_sheet_throws_a_shadow_on_the_sheet_behind_it() {
+    // The key light comes from the upper left, so the shadow lies to the lower right.
+    let quad =
+        |low: f64, high: f64, z: f64| [[low, low, z], [high, low, z], [high, high, z], [low, high, z]].map(DVec3::from);
+    let positions: Vec<DVec3> = quad(-2.0, 2.0, 0.0).into_iter().chain(quad(-0.5, 0.5, 1.0)).collect();
+    let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+    let output = Output::new(120, 120, 4).expect("a size");
+    let section = CameraSection {
+        direction: Some([0.0, 0.0, 1.0]),
+        up: Some([0.0, 1.0, 0.0]),
+        field_of_view: Some(0.0),
+        fill: Some(1.0),
+    };
+    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
+    let look = Look { occlusion_reach: 0.0, ..Look::default() };
+    let film = render(&scenery, &camera, &Lights::default(), &look, &output).expect("a picture");
+    let at = |x: f64, y: f64| film.beauty()[(60.0 - 30.0 * y) as usize * 120 + (60.0 + 30.0 * x) as usize].x;
+    assert!(at(1.0, -1.18) < 0.5 * at(-1.0, 1.18), "shadow {}, light {}", at(1.0, -1.18), at(-1.0, 1.18));
+}
+
+#[test]
+fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
+    let quad = |z: f64| [[-2.0, -2.0, z], [2.0, -2.0, z], [2.0, 2.0, z], [-2.0, 2.0, z]].map(DVec3::from);
+    let upright = [[-1.0, 0.0, -1.0], [1.0, 0.0, -1.0], [0.0, 0.0, 1.0]].map(DVec3::from);
+    let rim = [[-1.5, 1.0, 0.0], [1.5, 1.0, 0.0], [-1.5, -1.0, -0.5], [1.5, -1.0, -0.5]].map(DVec3::from);
+    let positions: Vec<DVec3> = quad(0.0).into_iter().chain(upright).chain(rim).collect();
+    let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6]];
+    let output = Output::new(240, 240, 8).expect("a size");
+    let section = CameraSection {
+        direction: Some([0.0, 0.0, 1.0]),
+        up: Some([0.0, 1.0, 0.0]),
+        field_of_view: Some(0.0),
+        fill: Some(0.9),
+    };
+    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery {
+        triangles: &triangles,
+        positions: &positions,
+        rims: &[[7, 8], [9, 10]],
+        boundary: &[[0, 1]],
+        pinch_points: &[],
+    };
+    let look = Look { occlusion_reach: 0.0, ..Look::default() };
+    let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+    let pixel = |x: f64, y: f64| film.beauty()[(120.0 - 54.0 * y) as usize * 240 + (120.0 + 54.0 * x) as usize];
+    let sheet = pixel(-1.0, -0.5);
+    assert!(pixel(0.7, 1.0).y < 0.3 * sheet.y, "the rim in front is red: {}", pixel(0.7, 1.0));
+    assert_eq!(pixel(0.7, -1.0), pixel(0.7, -0.6), "the rim behind the sheet is hidden");
+    assert!(pixel(0.0, 0.0).x < 0.6 * sheet.x, "the curve where the sheets cross: {}", pixel(0.0, 0.0));
+    assert!(pixel(0.0, -2.0).x < 0.6 * sheet.x, "the boundary: {}", pixel(0.0, -2.0));
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let (positions, triangles) = torus(64, 24);
+    let look = Look::from_scene(&LookSection { wireframe: 0.3, ..LookSection::default() }).expect("a look");
+    let output = Output::new(200, 150, 4).expect("a size");
+    let pictures: Vec<Film> = [1, 2, 4]
+        .map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+            pool.install(|| shown(&positions, &triangles, &look, &output))
+        })
+        .into();
+    assert!(pictures[0] == pictures[1] && pictures[0] == pictures[2]);
+}
+
+#[test]
+fn files_read_back_as_they_were_made() {
+    let (positions, triangles) = torus(48, 20);
+    let film = shown(&positions, &triangles, &Look::default(), &Output::new(80, 60, 4).expect("a size"));
+    let folder = tempfile::tempdir().expect("a folder");
+
+    let png = folder.path().join("frame.png");
+    film.write_png(&png).expect("a PNG");
+    let read = image::open(&png).expect("a readable PNG").into_rgb8();
+    assert_eq!(read.dimensions(), (80, 60));
+    assert_eq!(read.get_pixel(0, 0).0, [0xF4, 0xF3, 0xF0], "the background is exact");
+    assert_eq!(read.into_raw(), film.srgb_bytes());
+
+    let exr = folder.path().join("frame.exr");
+    film.write_exr(&exr).expect("an EXR");
+    let read = exr::prelude::read_first_flat_layer_from_file(&exr).expect("a readable EXR");
+    let layer = &read.layer_data;
+    assert_eq!((layer.size.0, layer.size.1), (80, 60));
+    let channels: Vec<(String, &exr::prelude::FlatSamples)> =
+        layer.channel_data.list.iter().map(|channel| (channel.name.to_string(), &channel.sample_data)).collect();
+    let names: Vec<&str> = channels.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["A", "B", "G", "N.X", "N.Y", "N.Z", "R", "Z"]);
+    for (name, samples) in &channels {
+        let values: Vec<f32> = samples.values_as_f32().collect();
+        match name.as_str() {
+            "A" => assert!(values.iter().zip(film.beauty()).all(|(a, pixel)| (a - pixel.w).abs() < 1e-3)),
+            "R" => assert!(values.iter().zip(film.beauty()).all(|(r, pixel)| (r - pixel.x).abs() < 1e-3)),
+            "Z" => assert_eq!(values, film.depth()),
+            "N.Y" => assert!(values.iter().zip(film.normals()).all(|(y, normal)| *y == normal.y)),
+            _ => {}
+        }
+    }
+    let left: Vec<_> = std::fs::read_dir(folder.path()).expect("a folder").collect();
+    assert_eq!(left.len(), 2, "no temporary is left behind");
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_an_error_with_its_path() {
+    let (positions, triangles) = torus(8, 6);
+    let film = shown(&positions, &triangles, &Look::default(), &Output::new(8, 6, 1).expect("a size"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("missing").join("frame.png");
+    let message = film.write_png(&path).expect_err("there is no such folder").to_string();
+    assert!(message.contains("missing") && message.contains("check that the folder exists"), "{message}");
+}
+
+#[test]
+fn triangles_without_area_or_with_wild_corners_are_left_out_and_counted() {
+    let (mut positions, mut triangles) = torus(24, 12);
+    let good = triangles.len();
+    let first = positions.len() as u32;
+    positions.extend([
+        DVec3::NAN,
+        DVec3::new(f64::INFINITY, 0.0, 0.0),
+        DVec3::splat(1e300),
+        DVec3::ZERO,
+        DVec3::X,
+        2.0 * DVec3::X,
+    ]);
+    triangles.extend([
+        [0, 1, first],
+        [0, 1, first + 1],
+        [0, 1, first + 2],
+        [0, 1, 1],
+        [first + 3, first + 4, first + 5],
+    ]);
+    let output = Output::new(64, 48, 4).expect("a size");
+    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions[..first as usize]), &output);
+    let scenery = Scenery {
+        triangles: &triangles,
+        positions: &positions,
+        rims: &[[0, first]],
+        boundary: &[[first + 1, 0]],
+        pinch_points: &[first],
+    };
+    let film = render(&scenery, &camera.expect("a view"), &Lights::default(), &Look::default(), &output);
+    let film = film.expect("a picture");
+    assert_eq!(film.skipped_triangles(), triangles.len() - good);
+    assert!(film.beauty().iter().all(|pixel| pixel.is_finite()));
+}
+
+#[test]
+fn one_triangle_and_none_make_pictures() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let output = Output::new(40, 30, 8).expect("a size");
+    let film = shown(&positions, &[[0, 1, 2]], &Look::default(), &output);
+    assert!(film.beauty().iter().any(|pixel| pixel.w == 1.0));
+    let film = shown(&positions, &[], &Look::default(), &output);
+    assert!(film.beauty().iter().all(|pixel| pixel.w == 0.0));
+}
+
+#[test]
+fn many_copies_of_one_triangle_make_a_picture() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let film = shown(&positions, &[[0, 1, 2]; 3000], &Look::default(), &Output::new(40, 30, 4).expect("a size"));
+    assert!(film.beauty().iter().all(|pixel| pixel.is_finite()));
+}
+
+#[test]
+fn an_eye_inside_the_surface_sees_its_back_everywhere() {
+    let (positions, triangles) = sphere();
+    let output = Output::new(64, 48, 4).expect("a size");
+    let eye = DVec3::new(0.1, 0.2, 0.1);
+    let camera = Camera::look_at(eye, eye + DVec3::X, DVec3::Y, 100.0, 1.0, &output).expect("a view");
+    let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
+    let film = render(&scenery, &camera, &Lights::default(), &Look::default(), &output).expect("a picture");
+    assert!(film.beauty().iter().all(|pixel| pixel.w == 1.0 && pixel.z > pixel.x), "blue all around");
+}
+
+#[test]
+fn a_missing_vertex_is_named() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let output = Output::new(8, 8, 1).expect("a size");
+    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { positions: &positions, rims: &[[0, 1], [1, 9]], ..Scenery::default() };
+    let error = render(&scenery, &camera, &Lights::default(), &Look::default(), &output).expect_err("no vertex 9");
+    assert!(matches!(error, RenderError::MissingVertex { list: "rim", item: 1, vertex: 9, vertices: 3 }), "{error}");
+}
+
+#[test]
+fn impossible_values_of_a_scene_are_refused_with_a_remedy() {
+    let message = |error: RenderError| error.to_string();
+    let light = LightSection { direction: [0.0; 3], color: [1.0; 3], shadow: true };
+    let refused = [
+        (message(Lights::from_scene(&[light]).expect_err("no direction")), "write a vector"),
+        (
+            message(
+                Look::from_scene(&LookSection { wireframe: f64::NAN, ..Default::default() }).expect_err("not a number"),
+            ),
+            "write 0.3",
+        ),
+        (
+            message(Output::from_scene(&OutputSection { samples: 3, ..Default::default() }).expect_err("three")),
+            "write 1, 4, 8 or 16",
+        ),
+        (
+            message(Output::from_scene(&OutputSection { size: [0, 5], ..Default::default() }).expect_err("no width")),
+            "at least 1",
+        ),
+        (
+            message(
+                Output::from_scene(&OutputSection { size: [5, 1 << 40], ..Default::default() }).expect_err("too high"),
+            ),
+            "at most 16384",
+        ),
+    ];
+    for (message, remedy) in refused {
+        assert!(message.contains(remedy), "{message}");
+    }
+}
