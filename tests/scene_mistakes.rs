@@ -151,7 +151,9 @@ fn missing_and_contradictory() {
 
 #[test]
 fn text_that_is_not_toml() {
-    one("[spin]\nclass = ^01", "this is not TOML", "");
+    one("[spin]\nclass = ^01", "this is not TOML: unexpected leading zero", "put a class in quotes");
+    one("[mesh]\nfile = ^torus.obj", "this is not TOML", "put text in double quotes");
+    one("[mesh]\nfile = ^bunny.obj", "this is not TOML", "put text in double quotes");
     one("[clock]\nframes = ^", "this is not TOML", "");
     one("[clock]\nframes = 1\n^frames = 2", "duplicate key", "remove one of the two");
     let found = mistakes("[clock\nframes = 1\n[look]\nlines = maybe\n");

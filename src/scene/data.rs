@@ -5,6 +5,8 @@
 
 use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
 use super::Source;
 
 /// A whole scene.
@@ -316,7 +318,7 @@ impl Default for OutputSection {
 }
 
 /// `[checks]`: what must hold on the last frame.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct ChecksSection {
     /// Bound on the L2 relative length error.
     pub max_l2_length_error: Option<f64>,
