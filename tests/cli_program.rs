@@ -68,6 +68,22 @@ fn mistakes_in_a_scene_end_with_2_and_are_all_shown_with_a_caret() {
 }
 
 #[test]
+fn the_caret_stands_under_the_place_even_behind_the_end() {
+    let folder = tempfile::tempdir().unwrap();
+    for (text, picture) in [
+        ("[clock]\nframes = 0\n", " 2 | frames = 0\n   :          ^\n"),
+        ("[clock]\nframes = ", " 2 | frames =  \n   :          ^\n"),
+        ("[clock\nframes = 1", " 1 | [clock\n   :       ^\n"),
+        ("[look]\nfront = \"é\"", " 2 | front = \"é\" \n   :         ^^^\n"),
+    ] {
+        fs::write(folder.path().join("film.toml"), text).unwrap();
+        let (code, _, err) = run(folder.path(), &["check", "film.toml"]);
+        assert_eq!(code, 2);
+        assert!(err.contains(picture), "{err}");
+    }
+}
+
+#[test]
 fn missing_files_and_folders_end_with_2() {
     let folder = tempfile::tempdir().unwrap();
     for (arguments, part) in [

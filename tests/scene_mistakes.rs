@@ -156,6 +156,7 @@ fn text_that_is_not_toml() {
     one("[mesh]\nfile = ^bunny.obj", "this is not TOML", "put text in double quotes");
     one("[clock]\nframes = ^", "this is not TOML", "");
     one("[clock]\nframes = 1\n^frames = 2", "duplicate key", "remove one of the two");
+    one(&format!("^[{}a]", "a.".repeat(100_000)), "recursion limit", "nest tables and lists less deeply");
     let found = mistakes("[clock\nframes = 1\n[look]\nlines = maybe\n");
     assert_eq!(found.iter().map(|error| error.line).collect::<Vec<_>>(), [1, 4], "{found:#?}");
 }

@@ -34,7 +34,8 @@ pub(super) fn explain(mistake: &SceneError, colors: bool) -> String {
         theme = GraphicalTheme::none();
     }
     theme.characters.error = "error:".into();
-    let source = NamedSource::new(mistake.path.to_string_lossy(), mistake.text.to_string());
+    // The space lets a caret stand behind the last character, where something is missing.
+    let source = NamedSource::new(mistake.path.to_string_lossy(), format!("{} ", mistake.text));
     let snippet = Snippet { mistake, source };
     let mut text = String::new();
     match GraphicalReportHandler::new_themed(theme).with_context_lines(1).render_report(&mut text, &snippet) {
@@ -68,6 +69,7 @@ impl Diagnostic for Snippet<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, self.mistake.span))))
+        let (first, length) = self.mistake.span;
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, (first, length.max(1))))))
     }
 }
