@@ -16,8 +16,9 @@ fn mistakes(text: &str) -> Vec<SceneError> {
 #[track_caller]
 fn one(marked: &str, reason: &str, remedy: &str) {
     let offset = marked.find('^').expect("a mark");
+    let before = &marked[..offset];
     let (line, column) =
-        (marked[..offset].matches('\n').count() + 1, offset - marked[..offset].rfind('\n').map_or(0, |n| n + 1) + 1);
+        (before.matches('\n').count() + 1, before.chars().rev().take_while(|&c| c != '\n').count() + 1);
     let found = mistakes(&marked.replacen('^', "", 1));
     assert_eq!(found.len(), 1, "{found:#?}");
     let error = &found[0];
@@ -93,6 +94,8 @@ fn wrong_lengths() {
 #[test]
 fn impossible_values() {
     one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 300.0");
+    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 300.0");
+    one("mesh = { file = 'é.obj', ^fiel = 1 }", "no `fiel`", "did you mean `file`?");
     one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 300.0");
     one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 300.0");
     one("[[phase]]\nepsilon = [1, ^-inf, 0, 0]", "`epsilon[1]` is -inf, it must be finite", "epsilon = [");

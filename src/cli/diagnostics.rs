@@ -69,7 +69,6 @@ impl Diagnostic for Snippet<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let (first, length) = self.mistake.span;
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, (first, length.max(1))))))
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, self.mistake.span))))
     }
 }
