@@ -16,8 +16,9 @@ fn mistakes(text: &str) -> Vec<SceneError> {
 #[track_caller]
 fn one(marked: &str, reason: &str, remedy: &str) {
     let offset = marked.find('^').expect("a mark");
+    let before = &marked[..offset];
     let (line, column) =
-        (marked[..offset].matches('\n').count() + 1, offset - marked[..offset].rfind('\n').map_or(0, |n| n + 1) + 1);
+        (before.matches('\n').count() + 1, before.chars().rev().take_while(|&c| c != '\n').count() + 1);
     let found = mistakes(&marked.replacen('^', "", 1));
     assert_eq!(found.len(), 1, "{found:#?}");
     let error = &found[0];
@@ -93,6 +94,8 @@ fn wrong_lengths() {
 #[test]
 fn impossible_values() {
     one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 100.0");
+    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 100.0");
+    one("mesh = { file = 'é.obj', ^fiel = 1 }", "no `fiel`", "did you mean `file`?");
     one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 100.0");
     one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 100.0");
     one("[[phase]]\nepsilon = [1, ^-inf, 0, 0]", "`epsilon[1]` is -inf, it must be finite", "epsilon = [");
@@ -151,9 +154,12 @@ fn missing_and_contradictory() {
 
 #[test]
 fn text_that_is_not_toml() {
-    one("[spin]\nclass = ^01", "this is not TOML", "");
+    one("[spin]\nclass = ^01", "this is not TOML: unexpected leading zero", "put a class in quotes");
+    one("[mesh]\nfile = ^torus.obj", "this is not TOML", "put text in double quotes");
+    one("[mesh]\nfile = ^bunny.obj", "this is not TOML", "put text in double quotes");
     one("[clock]\nframes = ^", "this is not TOML", "");
     one("[clock]\nframes = 1\n^frames = 2", "duplicate key", "remove one of the two");
+    one(&format!("^[{}a]", "a.".repeat(100_000)), "recursion limit", "nest tables and lists less deeply");
     let found = mistakes("[clock\nframes = 1\n[look]\nlines = maybe\n");
     assert_eq!(found.iter().map(|error| error.line).collect::<Vec<_>>(), [1, 4], "{found:#?}");
 }

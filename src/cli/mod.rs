@@ -1,1 +1,20 @@
-//! cli
+//! The command line: arguments, progress, tables, exit codes.
+//!
+//! Standard output carries results, standard error messages and progress. Exit codes: 0 done, 1 failed
+//! while running (a check that does not hold included), 2 the input is at fault.
+
+mod arguments;
+mod checks;
+mod commands;
+mod diagnostics;
+mod frame_range;
+mod inspect;
+mod pipeline;
+mod progress;
+mod text_table;
+
+pub use checks::{Check, checks_of};
+pub use commands::main;
+pub use frame_range::{FrameRange, FrameRangeError};
+pub use pipeline::{PipelineError, Summary};
+pub use progress::Progress;

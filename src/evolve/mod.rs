@@ -1,5 +1,6 @@
 //! The simulation: phases, THE step, stopping, and the report per frame.
 
+mod acceleration;
 mod error;
 mod phase;
 mod progress;
@@ -9,5 +10,5 @@ mod simulation;
 pub use error::{EvolveError, SetupError};
 pub use phase::{Phase, default_phases, phases_from_scene};
 pub use progress::{Observer, Progress, Unobserved};
-pub use report::FrameReport;
+pub use report::{Cursor, FrameReport};
 pub use simulation::{Frame, Simulation};

@@ -12,6 +12,8 @@ pub struct Phase {
     pub feedback: f64,
     /// How far frames move toward those of edge vectors without periods, 0 to 1.
     pub periods: f64,
+    /// Whether steps are combined with earlier ones (Anderson acceleration).
+    pub accelerate: bool,
     /// Mean turn per step in radians below which the stage has converged.
     pub tolerance_radians: f64,
     /// Least number of steps.
@@ -37,6 +39,7 @@ impl Phase {
             },
             feedback: section.feedback,
             periods: section.periods,
+            accelerate: section.accelerate,
             tolerance_radians: section.tolerance.to_radians(),
             min_steps: section.min_steps,
             max_steps: section.max_steps,
@@ -52,26 +55,36 @@ pub fn phases_from_scene(sections: &[PhaseSection]) -> Vec<Phase> {
 /// The stages that work from random frames on spheres, tori of every class, disks and bunnies alike.
 ///
 /// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper: feedback comes in
-/// gradually, since a surface with periods collapses under full feedback while its frames are still random;
-/// periods are taken out on their own from the start; and ε₁ ends at 10⁻⁴, with creases held open.
+/// gradually, since a surface with periods collapses under full feedback while its frames are still random; periods
+/// are taken out on their own from the start; ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer
+/// does it (earlier they would only keep tangles from resolving), and from there on steps are accelerated.
 pub fn default_phases() -> Vec<Phase> {
-    let stage = |bending, torsion, feedback, periods, tolerance, max_steps| {
-        Phase::from_scene(&PhaseSection {
-            epsilon: [1.0, bending, 1.0, torsion],
-            feedback,
-            periods,
-            tolerance,
-            max_steps,
-            ..PhaseSection::default()
-        })
-    };
-    vec![
-        stage(1.0, 1.0, 0.1, 0.5, 0.3, 50),
-        stage(0.1, 0.1, 0.5, 0.5, 0.3, 50),
-        stage(0.01, 0.1, 1.0, 1.0, 0.1, 100),
-        stage(1e-3, 0.1, 1.0, 1.0, 0.02, 300),
-        stage(1e-4, 0.1, 1.0, 1.0, 0.01, 400),
+    let shaping = PhaseSection { crease: 0.0, accelerate: false, ..PhaseSection::default() };
+    let settling = PhaseSection::default();
+    [
+        PhaseSection {
+            epsilon: [1.0, 1.0, 1.0, 1.0],
+            feedback: 0.1,
+            periods: 0.5,
+            tolerance: 0.3,
+            max_steps: 50,
+            ..shaping.clone()
+        },
+        PhaseSection {
+            epsilon: [1.0, 0.1, 1.0, 0.1],
+            feedback: 0.5,
+            periods: 0.5,
+            tolerance: 0.3,
+            max_steps: 50,
+            ..shaping.clone()
+        },
+        PhaseSection { epsilon: [1.0, 1e-2, 1.0, 0.1], tolerance: 0.1, max_steps: 100, ..shaping },
+        PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], tolerance: 0.02, max_steps: 100, ..settling.clone() },
+        PhaseSection { epsilon: [1.0, 1e-4, 1.0, 0.1], ..settling },
     ]
+    .iter()
+    .map(Phase::from_scene)
+    .collect()
 }
 
 /// A residual of one percent of the step itself: tighter solves did not save outer steps.

@@ -17,6 +17,8 @@ pub struct Progress {
     pub turn: f64,
     /// The turn at which the phase ends, in degrees.
     pub tolerance: f64,
+    /// Whether that was the last step of the phase because frames stand still.
+    pub settled: bool,
     /// L2 length error of the integrated surface.
     pub l2_length_error: f64,
 }

@@ -2,8 +2,21 @@
 
 use serde::{Deserialize, Serialize};
 
+/// Where a relaxation stands between two steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Cursor {
+    /// Phase, from 0; the number of phases when all are done.
+    pub phase: usize,
+    /// Steps taken in this phase.
+    pub step: usize,
+    /// Steps taken in all phases.
+    pub steps: usize,
+    /// Whether the last phase that ended did so because frames stood still.
+    pub settled: bool,
+}
+
 /// One line of `inspect`: what a cached frame is worth.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameReport {
     /// Number of the frame, from 1.
     pub frame: usize,
@@ -29,10 +42,11 @@ pub struct FrameReport {
     pub energy: f64,
     /// Period part of the edge vectors relative to their norm.
     pub period_error: f64,
-    /// Steps taken to get here.
-    pub steps: usize,
+    /// How far the relaxation has come.
+    #[serde(flatten)]
+    pub cursor: Cursor,
     /// Wall time of these steps.
     pub seconds: f64,
-    /// Whether the last phase met its tolerance.
+    /// Whether all phases are done and the last one met its tolerance.
     pub converged: bool,
 }

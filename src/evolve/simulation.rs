@@ -1,9 +1,10 @@
 //! Algorithm 2: from a scene to frames, and from frames to a surface.
 
-use super::{EvolveError, FrameReport, Observer, Phase, Progress, SetupError, phases_from_scene};
+use super::acceleration::Acceleration;
+use super::{Cursor, EvolveError, FrameReport, Observer, Phase, Progress, SetupError, phases_from_scene};
 use crate::frames::{Shell, Stepper, energy, random_frames, spectral_frames};
 use crate::immersion::*;
-use crate::mesh::{self, EdgeId, Mesh, VertexId};
+use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{self, Metric};
 use crate::scene::{BendingSection, Scene, StartSection};
 use crate::spin::{Homology, SpinStructure, class_digits};
@@ -26,6 +27,7 @@ pub struct Simulation {
     pub phases: Vec<Phase>,
     /// The state: one unit quaternion per face.
     pub frames: Vec<DQuat>,
+    cursor: Cursor,
     shell: Shell,
     poisson: Poisson,
     periods: Periods,
@@ -38,8 +40,6 @@ pub struct Simulation {
 pub struct Frame {
     /// Vertex positions, |V|.
     pub positions: Vec<DVec3>,
-    /// λ* of the positions with signs of the state, |F|.
-    pub frames: Vec<DQuat>,
     /// Edges with rim bit 1.
     pub rims: Vec<EdgeId>,
     /// Interior vertices with figure-8 star.
@@ -54,9 +54,16 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the scene is at fault.
     pub fn from_scene(scene: &Scene) -> Result<Simulation, SetupError> {
-        let surface = mesh::from_scene(&scene.mesh, &scene.folder)?;
+        Simulation::new(scene, mesh::from_scene(&scene.mesh, &scene.folder)?)
+    }
+
+    /// As [`Simulation::from_scene`], with a surface from memory in place of the scene's `[mesh]`.
+    ///
+    /// # Errors
+    /// [`SetupError`] saying which part of the scene does not fit the surface.
+    pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
         let metric = metric::from_scene(&scene.metric, &scene.folder, &surface)?;
-        let mesh::Surface { mesh, positions, repairs, .. } = surface;
+        let Surface { mesh, positions, repairs, .. } = surface;
         let positions = positions.as_deref();
         let homology = Homology::new(&mesh, &metric);
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
@@ -70,46 +77,64 @@ impl Simulation {
         let free = if pins.is_empty() { None } else { Some(Poisson::new(&mesh, &metric, &[])?) };
         let periods = Periods::new(&mesh, &metric, &homology, free.as_ref().unwrap_or(&poisson));
         let stepper = Stepper::new(&shell);
+        let cursor = Cursor::default();
         let phases = phases_from_scene(&scene.phases);
-        Ok(Simulation { mesh, repairs, metric, homology, spin, phases, frames, shell, poisson, periods, pins, stepper })
+        Ok(Simulation { mesh, repairs, metric, homology, spin, phases, frames, cursor, shell, poisson, periods, pins, stepper })
     }
 
-    /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases and realizes the surface.
+    /// Lines 7 to 9 of Algorithm 2: relaxes the frames, through all phases or for some steps, and realizes the surface.
     ///
     /// # Errors
     /// [`EvolveError`] if the observer stops it or frames are no longer finite.
-    pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
-        let phases = self.phases.clone();
-        let (mut steps, mut converged) = (0, true);
-        for (index, phase) in phases.iter().enumerate() {
-            converged = false;
-            for step in 1..=phase.max_steps {
-                let before = self.frames.clone();
-                let positions = self.step(phase);
-                steps += 1;
-                let turn = mean_turn(&self.shell, &before, &self.frames);
-                if !turn.is_finite() {
-                    return Err(EvolveError::Diverged { steps, phase: index });
-                }
-                let progress = Progress {
-                    phase: index,
-                    phases: phases.len(),
-                    step,
-                    max_steps: phase.max_steps,
-                    turn: turn.to_degrees(),
-                    tolerance: phase.tolerance_radians.to_degrees(),
-                    l2_length_error: length_error(&self.mesh, &self.metric, &positions).l2,
-                };
-                if observer.after_step(&progress).is_break() {
-                    return Err(EvolveError::Stopped { steps });
-                }
-                if step >= phase.min_steps && turn < phase.tolerance_radians {
-                    converged = true;
-                    break;
-                }
+    pub fn relax(&mut self, steps: Option<usize>, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
+        let mut acceleration = Acceleration::default();
+        let mut left = steps.unwrap_or(usize::MAX);
+        while left > 0
+            && let Some(phase) = self.phases.get(self.cursor.phase).copied()
+        {
+            let before = self.frames.clone();
+            let positions = self.step(&phase);
+            left -= 1;
+            self.cursor.step += 1;
+            self.cursor.steps += 1;
+            let turn = mean_turn(&self.shell, &before, &self.frames);
+            if !turn.is_finite() {
+                return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
+            }
+            let l2_length_error = length_error(&self.mesh, &self.metric, &positions).l2;
+            let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
+            let progress = Progress { turn: turn.to_degrees(), settled, l2_length_error, ..self.progress(&phase) };
+            if observer.after_step(&progress).is_break() {
+                return Err(EvolveError::Stopped { steps: self.cursor.steps });
+            }
+            if settled || self.cursor.step >= phase.max_steps {
+                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
+                acceleration = Acceleration::default();
+            } else if phase.accelerate {
+                acceleration.correct(&before, &mut self.frames);
             }
         }
-        Ok(self.realize(steps, converged))
+        Ok(self.realize())
+    }
+
+    /// Goes on from frames and cursor of an earlier run of the same scene.
+    pub fn resume(&mut self, frames: Vec<DQuat>, cursor: Cursor) {
+        debug_assert_eq!(frames.len(), self.frames.len());
+        self.frames = frames;
+        self.cursor = cursor;
+    }
+
+    fn progress(&self, phase: &Phase) -> Progress {
+        Progress {
+            phase: self.cursor.phase,
+            phases: self.phases.len(),
+            step: self.cursor.step,
+            max_steps: phase.max_steps,
+            turn: 0.0,
+            tolerance: phase.tolerance_radians.to_degrees(),
+            settled: false,
+            l2_length_error: 0.0,
+        }
     }
 
     /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
@@ -141,11 +166,10 @@ impl Simulation {
     }
 
     /// Positions, rims and measures of the frames as they are.
-    fn realize(&self, steps: usize, converged: bool) -> Frame {
+    fn realize(&self) -> Frame {
         let Self { mesh, metric, shell, .. } = self;
         let positions = self.integrate();
-        let frames = frames_of_positions(mesh, metric, &positions, &self.frames);
-        let rims = rims(shell, &frames);
+        let rims = rims(shell, &frames_of_positions(mesh, metric, &positions, &self.frames));
         let pinch_points = pinch_points(mesh, &positions);
         let error = length_error(mesh, metric, &positions);
         let class: Vec<bool> =
@@ -165,11 +189,11 @@ impl Simulation {
             spin_class: class_digits(&class),
             energy: energy(shell, stiffness, &self.frames),
             period_error: self.periods.relative_error(mesh, metric, &vectors),
-            steps,
+            cursor: self.cursor,
             seconds: 0.0,
-            converged,
+            converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
         };
-        Frame { positions, frames, rims, pinch_points, report }
+        Frame { positions, rims, pinch_points, report }
     }
 }
 

@@ -5,6 +5,8 @@
 
 use std::path::PathBuf;
 
+use serde::{Deserialize, Serialize};
+
 use super::Source;
 
 /// A whole scene.
@@ -207,6 +209,8 @@ pub struct PhaseSection {
     pub periods: f64,
     /// Stiffness of creases that are about to fold over; 0 lets them.
     pub crease: f64,
+    /// Whether steps are combined with earlier ones once they shrink (Anderson acceleration).
+    pub accelerate: bool,
     /// The stage ends when the mean turn of a frame per step is below this (degrees),
     pub tolerance: f64,
     /// and not before this many steps;
@@ -224,9 +228,10 @@ impl Default for PhaseSection {
             feedback: 1.0,
             periods: 1.0,
             crease: 1.0,
+            accelerate: true,
             tolerance: 0.01,
             min_steps: 3,
-            max_steps: 400,
+            max_steps: 200,
         }
     }
 }
@@ -263,13 +268,15 @@ pub struct PinSection {
 /// `[clock]`
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClockSection {
-    /// Number of frames; 1 is a static scene.
+    /// Number of frames; 1 is a static scene, the relaxed surface.
     pub frames: usize,
+    /// Steps between the frames of a film of the relaxation.
+    pub steps_per_frame: usize,
 }
 
 impl Default for ClockSection {
     fn default() -> Self {
-        Self { frames: 1 }
+        Self { frames: 1, steps_per_frame: 2 }
     }
 }
 
@@ -344,7 +351,7 @@ impl Default for OutputSection {
 }
 
 /// `[checks]`: what must hold on the last frame.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq, Default, Serialize, Deserialize)]
 pub struct ChecksSection {
     /// Bound on the L2 relative length error.
     pub max_l2_length_error: Option<f64>,

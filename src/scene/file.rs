@@ -92,7 +92,9 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
     let source = Source::new(path, text, tree.get_ref());
     if !syntax_errors.is_empty() {
         // What a broken text means is a guess, so nothing else is said about it.
-        return Err(SceneErrors::Mistakes(syntax_errors.iter().map(|error| syntax_error(&source, error)).collect()));
+        let mut mistakes: Vec<_> = syntax_errors.iter().map(|error| syntax_error(&source, error)).collect();
+        mistakes.dedup();
+        return Err(SceneErrors::Mistakes(mistakes));
     }
     let problems = Problems::default();
     let mut table = Table::new("a scene".into(), Some(tree.get_ref()), 0..0, &problems);
@@ -113,13 +115,19 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
     let span = error.span().unwrap_or(0..0);
-    let (reason, remedy) = match error.message().split_once(", expected ") {
-        Some((reason, expected)) => (reason, format!("write {expected} here")),
-        None if error.message() == "duplicate key" => ("duplicate key", "remove one of the two".to_owned()),
-        None => (
-            error.message(),
-            "correct the line; strings need quotes, lists square brackets, names of keys `=`".to_owned(),
-        ),
+    let (reason, expected) = error.message().split_once(", expected ").unwrap_or((error.message(), ""));
+    let remedy = match (reason, expected) {
+        ("duplicate key", _) => "remove one of the two".to_owned(),
+        ("string values must be quoted" | "invalid boolean", _) => {
+            "put text in double quotes; only numbers, true and false stand without".to_owned()
+        }
+        ("unexpected leading zero", _) => "remove the zeros in front, or put a class in quotes".to_owned(),
+        (reason, _) if reason.contains("recurs") => "nest tables and lists less deeply".to_owned(),
+        (_, "nothing") => "remove this".to_owned(),
+        (_, "") => {
+            "correct the line; a key is followed by `=` and a value, a list stands in square brackets".to_owned()
+        }
+        (_, expected) => format!("write {expected} here"),
     };
     source.error(span, format!("this is not TOML: {reason}"), remedy)
 }

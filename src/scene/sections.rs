@@ -107,6 +107,9 @@ fn phase(table: &mut Table) -> PhaseSection {
             .key("crease", "Stiffness of creases that are about to fold over.")
             .at_least(0.0)
             .or(default.crease),
+        accelerate: table
+            .key("accelerate", "Whether steps are combined with earlier ones once they shrink.")
+            .or(default.accelerate),
         tolerance: table
             .key("tolerance", "The stage ends when the mean turn of a frame per step is below this, in degrees.")
             .above(0.0)
@@ -156,8 +159,18 @@ fn pin(table: &mut Table) -> PinSection {
 }
 
 fn clock(table: &mut Table) -> ClockSection {
-    let doc = "Number of frames; 1 is a static scene.";
-    ClockSection { frames: table.key("frames", doc).at_least(1.0).at_most(MAX_FRAMES).or(1) }
+    let default = ClockSection::default();
+    ClockSection {
+        frames: table
+            .key("frames", "Number of frames; 1 is a static scene, the relaxed surface.")
+            .at_least(1.0)
+            .at_most(MAX_FRAMES)
+            .or(default.frames),
+        steps_per_frame: table
+            .key("steps_per_frame", "Steps between the frames of a film of the relaxation.")
+            .at_least(1.0)
+            .or(default.steps_per_frame),
+    }
 }
 
 fn camera(table: &mut Table) -> CameraSection {

@@ -13,7 +13,7 @@ pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c s
 }
 
 /// `did you mean …?` if a candidate is near, then the list of all.
-pub(super) fn suggestion<'c>(what: &str, word: &str, candidates: &[&'c str]) -> String {
+pub(super) fn suggestion(what: &str, word: &str, candidates: &[&str]) -> String {
     let quoted: Vec<String> = candidates.iter().map(|candidate| format!("`{candidate}`")).collect();
     let list = match quoted.as_slice() {
         [] => format!("there are no {what} here"),

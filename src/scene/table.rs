@@ -16,6 +16,9 @@ use super::value::{Bounds, Field, Kind, Problem, Value, Variant, shown};
 /// The problems found so far.
 pub(super) type Problems = RefCell<Vec<Problem>>;
 
+/// A name, what it means, and how the keys beside it are read.
+pub(super) type NamedReader<T> = (&'static str, &'static str, fn(&mut Table) -> T);
+
 pub(super) struct Table<'a> {
     /// In words, for messages: "[camera]".
     title: String,
@@ -104,12 +107,7 @@ impl<'a> Table<'a> {
     }
 
     /// Reads a name that decides which other keys this table has.
-    pub(super) fn variants<T>(
-        &mut self,
-        name: &'static str,
-        doc: &'static str,
-        of: &[(&'static str, &'static str, fn(&mut Table) -> T)],
-    ) -> Option<T> {
+    pub(super) fn variants<T>(&mut self, name: &'static str, doc: &'static str, of: &[NamedReader<T>]) -> Option<T> {
         let names: Vec<&'static str> = of.iter().map(|(name, ..)| *name).collect();
         let index = self.name_among(name, &names);
         let variants = of.iter().map(|&(name, doc, read)| Variant { name, doc, fields: declared(read) }).collect();

@@ -1,0 +1,86 @@
+//! Why the folder of a film cannot be read or written.
+
+use std::io;
+use std::path::PathBuf;
+
+/// A file or folder of the cache that is not as it must be.
+#[derive(Debug, thiserror::Error)]
+pub enum CacheError {
+    /// The system refused.
+    #[error("{}: cannot be {action} ({source}); check the path, permissions and free space", path.display())]
+    Io {
+        /// The file or folder.
+        path: PathBuf,
+        /// "read", "written", …
+        action: &'static str,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// There is no manifest.
+    #[error("{}: there is no film here; simulate one first, or name the folder that holds manifest.json", path.display())]
+    NotAFilm {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// The folder is another scene's, or this one's before it was changed.
+    #[error(
+        "{}: this folder holds the film of {found}; nothing was overwritten. \
+         Name another folder with --out, or pass --restart to `immerse simulate` to begin anew",
+        path.display()
+    )]
+    OtherScene {
+        /// The folder.
+        path: PathBuf,
+        /// What it holds, in words.
+        found: String,
+    },
+    /// Another version of the program wrote it.
+    #[error(
+        "{}: it has format {found}, this program reads format {}; use the program that wrote it, \
+         or pass --restart to `immerse simulate` to begin anew",
+        path.display(),
+        super::FORMAT
+    )]
+    Version {
+        /// The file.
+        path: PathBuf,
+        /// Its version.
+        found: u64,
+    },
+    /// It is not there.
+    #[error("{}: there is no such frame; simulate it first", path.display())]
+    Missing {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is not what was written.
+    #[error("{}: it is damaged ({reason}); {remedy}", path.display())]
+    Damaged {
+        /// The file.
+        path: PathBuf,
+        /// How that was seen.
+        reason: String,
+        /// How to get it back.
+        remedy: &'static str,
+    },
+    /// A frame that is not fit to be kept.
+    #[error("frame {frame}: {reason}; this frame was not written")]
+    Unfit {
+        /// The frame.
+        frame: usize,
+        /// Why it is not.
+        reason: String,
+    },
+}
+
+/// How a damaged frame is mended.
+pub(super) const SIMULATE_AGAIN: &str = "run `immerse simulate` again, which computes it anew";
+/// How a damaged manifest or mesh is mended.
+pub(super) const RESTART: &str = "pass --restart to `immerse simulate` to begin anew";
+
+impl CacheError {
+    pub(super) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> CacheError {
+        let path = path.into();
+        move |source| CacheError::Io { path, action, source }
+    }
+}

@@ -1,0 +1,347 @@
+//! The folder of a film: what it holds, which frames are done, resuming and beginning anew.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::FORMAT;
+use super::error::{CacheError, RESTART, SIMULATE_AGAIN};
+use super::file::{SealError, read, remove, seal, unseal, write_atomically};
+use super::frame::FrameState;
+use super::npz::{ArrayReader, ArrayWriter};
+use crate::evolve::FrameReport;
+use crate::mesh::Mesh;
+use crate::scene::{ChecksSection, Scene};
+
+/// What a film is of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// Name of the scene, for messages.
+    pub scene: String,
+    /// Two films with the same fingerprint have the same frames.
+    pub fingerprint: u32,
+    /// How many frames it will have.
+    pub frame_count: usize,
+    /// What must hold on its last frame.
+    pub checks: ChecksSection,
+}
+
+impl Film {
+    /// The film of a scene.
+    pub fn of(scene: &Scene) -> Film {
+        Film {
+            scene: scene.name.clone(),
+            fingerprint: scene.simulation_fingerprint(),
+            frame_count: scene.clock.frames,
+            checks: scene.checks.clone(),
+        }
+    }
+}
+
+/// How large the mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MeshCounts {
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of edges.
+    pub edges: usize,
+    /// Number of faces.
+    pub faces: usize,
+    /// Sum of the genera of the components.
+    pub genus: usize,
+    /// Number of boundary loops.
+    pub boundaries: usize,
+}
+
+impl MeshCounts {
+    /// Counts a mesh.
+    pub fn of(mesh: &Mesh) -> MeshCounts {
+        MeshCounts {
+            vertices: mesh.vertex_count(),
+            edges: mesh.edge_count(),
+            faces: mesh.face_count(),
+            genus: mesh.genus(),
+            boundaries: mesh.boundary_loops().len(),
+        }
+    }
+}
+
+/// `manifest.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// Name of the scene.
+    pub scene: String,
+    /// [`Film::fingerprint`].
+    pub fingerprint: u32,
+    /// How many frames the film will have.
+    pub frame_count: usize,
+    /// Counts of the mesh.
+    pub mesh: MeshCounts,
+    /// Checksum of `mesh.npz`.
+    pub mesh_crc32: u32,
+    /// What must hold on the last frame.
+    pub checks: ChecksSection,
+}
+
+/// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
+#[derive(Serialize, Deserialize)]
+struct FrameRecord {
+    format: u32,
+    fingerprint: u32,
+    state_bytes: u64,
+    state_crc32: u32,
+    report: FrameReport,
+}
+
+/// The folder of a film.
+#[derive(Clone, Debug)]
+pub struct Cache {
+    folder: PathBuf,
+    manifest: Manifest,
+}
+
+impl Cache {
+    /// Opens the folder of a film to go on with it, or creates it.
+    ///
+    /// # Errors
+    /// [`CacheError::OtherScene`] if the folder holds another film, or this film on another mesh; then
+    /// nothing is changed. [`CacheError::Version`] and [`CacheError::Damaged`] if its manifest is not to
+    /// be read.
+    pub fn open_or_create(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+        let other = |found: String| CacheError::OtherScene { path: folder.to_owned(), found };
+        match Cache::open(folder) {
+            Ok(cache) if cache.manifest.fingerprint != film.fingerprint => {
+                let found = if cache.manifest.scene == film.scene {
+                    format!("another version of the scene `{}`", film.scene)
+                } else {
+                    format!("the scene `{}`", cache.manifest.scene)
+                };
+                Err(other(found))
+            }
+            Ok(cache) if cache.triangles()? != mesh.triangles() => {
+                Err(other(format!("the scene `{}` on another mesh", cache.manifest.scene)))
+            }
+            // Names and checks may have changed; they decide no frame.
+            Ok(_) | Err(CacheError::NotAFilm { .. }) => Cache::create(folder, film, mesh),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Begins anew: removes the frames of whatever film the folder holds. Files that are not a cache's
+    /// stay.
+    ///
+    /// # Errors
+    /// [`CacheError::Io`]
+    pub fn restart(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+        let frames = folder.join("frames");
+        if frames.is_dir() {
+            let mut old = Vec::new();
+            for entry in fs::read_dir(&frames).map_err(CacheError::io(&frames, "read"))? {
+                let path = entry.map_err(CacheError::io(&frames, "read"))?.path();
+                let is_frame = frame_number(&path).is_some();
+                let ending = path.extension().and_then(|ending| ending.to_str());
+                if is_frame && matches!(ending, Some("json" | "npz")) {
+                    old.push(path);
+                }
+            }
+            // Records (.json) before states: a frame without a record is not done.
+            old.sort_by_key(|path| (path.extension().map(ToOwned::to_owned), path.clone()));
+            old.iter().try_for_each(|path| remove(path))?;
+        }
+        Cache::create(folder, film, mesh)
+    }
+
+    fn create(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+        let frames = folder.join("frames");
+        fs::create_dir_all(&frames).map_err(CacheError::io(&frames, "created"))?;
+        let path = folder.join("mesh.npz");
+        let mut file = ArrayWriter::new();
+        let bytes = file
+            .array("triangles", &[mesh.face_count() as u64, 3], mesh.triangles().into_iter().flatten())
+            .and_then(|()| file.finish())
+            .map_err(CacheError::io(&path, "written"))?;
+        let manifest = Manifest {
+            format: FORMAT,
+            scene: film.scene.clone(),
+            fingerprint: film.fingerprint,
+            frame_count: film.frame_count,
+            mesh: MeshCounts::of(mesh),
+            mesh_crc32: crc32fast::hash(&bytes),
+            checks: film.checks.clone(),
+        };
+        write_unless_same(&path, &bytes)?;
+        let path = folder.join("manifest.json");
+        write_unless_same(&path, &sealed(&path, &manifest)?)?;
+        Ok(Cache { folder: folder.to_owned(), manifest })
+    }
+
+    /// Opens the folder of a film to read it.
+    ///
+    /// # Errors
+    /// [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
+    /// the program wrote it, [`CacheError::Damaged`] if it is not what was written.
+    pub fn open(folder: &Path) -> Result<Cache, CacheError> {
+        let path = folder.join("manifest.json");
+        let bytes = read(&path)?.ok_or_else(|| CacheError::NotAFilm { path: folder.to_owned() })?;
+        let manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error, RESTART))?;
+        Ok(Cache { folder: folder.to_owned(), manifest })
+    }
+
+    /// The folder.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// What the film is of.
+    pub fn manifest(&self) -> &Manifest {
+        &self.manifest
+    }
+
+    /// Corners of the faces.
+    ///
+    /// # Errors
+    /// [`CacheError::Damaged`] if the mesh is not what was written.
+    pub fn triangles(&self) -> Result<Vec<[u32; 3]>, CacheError> {
+        let path = self.folder.join("mesh.npz");
+        let damaged = |reason: String| CacheError::Damaged { path: path.clone(), reason, remedy: RESTART };
+        let bytes = read(&path)?.ok_or_else(|| damaged("it is not there".into()))?;
+        if crc32fast::hash(&bytes) != self.manifest.mesh_crc32 {
+            return Err(damaged("its checksum does not match".into()));
+        }
+        let corners = ArrayReader::new(&bytes)
+            .and_then(|mut file| file.array::<u32>("triangles", &[self.manifest.mesh.faces as u64, 3]))
+            .map_err(damaged)?;
+        Ok(corners.as_chunks().0.to_vec())
+    }
+
+    /// Writes a frame, replacing the one that may be there.
+    ///
+    /// # Errors
+    /// [`CacheError::Unfit`] if an array does not fit the mesh or a number is not finite,
+    /// [`CacheError::Io`] if the system refuses; then the frame counts as not done.
+    pub fn write_frame(&self, state: &FrameState) -> Result<(), CacheError> {
+        if let Some(reason) = state.unfit(&self.manifest.mesh) {
+            return Err(CacheError::Unfit { frame: state.frame, reason });
+        }
+        let state_path = self.state_path(state.frame);
+        let bytes = state.to_npz().map_err(CacheError::io(&state_path, "written"))?;
+        write_unless_same(&state_path, &bytes)?;
+        let record = FrameRecord {
+            format: FORMAT,
+            fingerprint: self.manifest.fingerprint,
+            state_bytes: bytes.len() as u64,
+            state_crc32: crc32fast::hash(&bytes),
+            report: state.report.clone(),
+        };
+        let record_path = self.record_path(state.frame);
+        write_atomically(&record_path, &sealed(&record_path, &record)?)
+    }
+
+    /// Reads a frame that verifies.
+    ///
+    /// # Errors
+    /// [`CacheError::Missing`] if it is not there, [`CacheError::Damaged`] and [`CacheError::Version`]
+    /// if it is not what was written.
+    pub fn read_frame(&self, frame: usize) -> Result<FrameState, CacheError> {
+        let (bytes, report) = self.verified(frame)?;
+        let path = self.state_path(frame);
+        FrameState::from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| CacheError::Damaged {
+            path,
+            reason,
+            remedy: SIMULATE_AGAIN,
+        })
+    }
+
+    /// Reads the report of a frame that verifies.
+    ///
+    /// # Errors
+    /// Those of [`Cache::read_frame`].
+    pub fn read_report(&self, frame: usize) -> Result<FrameReport, CacheError> {
+        Ok(self.verified(frame)?.1)
+    }
+
+    /// The last frame before which, itself included, every frame is there and verifies: a simulation goes
+    /// on after it. `None` if frame 1 has to be computed.
+    ///
+    /// # Errors
+    /// [`CacheError::Io`] if a frame is there but the system refuses to read it.
+    pub fn last_valid_frame(&self) -> Result<Option<usize>, CacheError> {
+        for frame in 1..=self.manifest.frame_count {
+            match self.verified(frame) {
+                Ok(_) => {}
+                Err(CacheError::Io { path, action, source }) => return Err(CacheError::Io { path, action, source }),
+                Err(_) => return Ok((frame > 1).then(|| frame - 1)),
+            }
+        }
+        Ok(Some(self.manifest.frame_count))
+    }
+
+    /// The frames whose files are there, done or not, in order.
+    ///
+    /// # Errors
+    /// [`CacheError::Io`]
+    pub fn frames(&self) -> Result<Vec<usize>, CacheError> {
+        let folder = self.folder.join("frames");
+        let mut frames = Vec::new();
+        for entry in fs::read_dir(&folder).map_err(CacheError::io(&folder, "read"))? {
+            let path = entry.map_err(CacheError::io(&folder, "read"))?.path();
+            if path.extension().is_some_and(|ending| ending == "json") {
+                frames.extend(frame_number(&path));
+            }
+        }
+        frames.sort_unstable();
+        Ok(frames)
+    }
+
+    fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), CacheError> {
+        let record_path = self.record_path(frame);
+        let bytes = read(&record_path)?.ok_or_else(|| CacheError::Missing { path: record_path.clone() })?;
+        let record: FrameRecord = unseal(&bytes).map_err(|error| broken_seal(&record_path, error, SIMULATE_AGAIN))?;
+        let path = self.state_path(frame);
+        let damaged = |path: &Path, reason: &str| CacheError::Damaged {
+            path: path.to_owned(),
+            reason: reason.to_owned(),
+            remedy: SIMULATE_AGAIN,
+        };
+        if record.fingerprint != self.manifest.fingerprint || record.report.frame != frame {
+            return Err(damaged(&record_path, "it is of another film or frame"));
+        }
+        let state = read(&path)?.ok_or_else(|| damaged(&path, "it is not there, but its report is"))?;
+        if state.len() as u64 != record.state_bytes || crc32fast::hash(&state) != record.state_crc32 {
+            return Err(damaged(&path, "its checksum does not match"));
+        }
+        Ok((state, record.report))
+    }
+
+    fn state_path(&self, frame: usize) -> PathBuf {
+        self.folder.join(format!("frames/{frame:06}.npz"))
+    }
+
+    fn record_path(&self, frame: usize) -> PathBuf {
+        self.folder.join(format!("frames/{frame:06}.json"))
+    }
+}
+
+fn frame_number(path: &Path) -> Option<usize> {
+    let stem = path.file_stem()?.to_str()?;
+    (stem.len() == 6 && stem.bytes().all(|b| b.is_ascii_digit())).then(|| stem.parse().ok()).flatten()
+}
+
+/// A file that already has the bytes is left alone, so that looking at a film does not touch it.
+fn write_unless_same(path: &Path, bytes: &[u8]) -> Result<(), CacheError> {
+    if read(path)?.as_deref() == Some(bytes) { Ok(()) } else { write_atomically(path, bytes) }
+}
+
+fn sealed(path: &Path, record: &impl Serialize) -> Result<Vec<u8>, CacheError> {
+    seal(record).map_err(|error| CacheError::io(path, "written")(error.into()))
+}
+
+fn broken_seal(path: &Path, error: SealError, remedy: &'static str) -> CacheError {
+    match error {
+        SealError::Version(found) => CacheError::Version { path: path.to_owned(), found },
+        SealError::Damaged(reason) => CacheError::Damaged { path: path.to_owned(), reason, remedy },
+    }
+}

@@ -1,0 +1,186 @@
+//! What each command does, and with which exit code it ends.
+
+use std::fs::OpenOptions;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{CommandFactory, Parser};
+
+use super::FrameRangeError;
+use super::arguments::{Arguments, Command, Film};
+use super::diagnostics::{say, say_scene_errors};
+use super::inspect::Inspection;
+use super::pipeline::{self, PipelineError, Summary};
+use super::progress::Bar;
+use crate::cache::CacheError;
+use crate::scene::Scene;
+
+/// The scene that `new` writes.
+const STARTER: &str = include_str!("starter.toml");
+
+/// Runs the program with the arguments of the process.
+pub fn main() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            // Help goes to standard output with code 0, mistakes to standard error with code 2.
+            return match error.print() {
+                Ok(()) => ExitCode::from(if error.use_stderr() { 2 } else { 0 }),
+                Err(error) => report(Err(error.into())),
+            };
+        }
+    };
+    report(in_threads(&arguments))
+}
+
+/// Why a command failed.
+#[derive(Debug, thiserror::Error)]
+enum Failure {
+    #[error(transparent)]
+    Pipeline(#[from] PipelineError),
+    #[error("--frames: {0}")]
+    Frames(#[from] FrameRangeError),
+    #[error("standard output cannot be written ({0}); check where it goes")]
+    Output(#[from] io::Error),
+    #[error("{}: cannot be written ({source}); choose another name or folder", path.display())]
+    New { path: PathBuf, source: io::Error },
+    #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// Has been said already.
+    #[error("not all is well")]
+    NotWell,
+}
+
+impl From<CacheError> for Failure {
+    fn from(error: CacheError) -> Self {
+        Failure::Pipeline(error.into())
+    }
+}
+
+fn report(outcome: Result<(), Failure>) -> ExitCode {
+    let Err(failure) = outcome else { return ExitCode::SUCCESS };
+    match &failure {
+        // The reader has seen enough, as in `immerse schema | head`.
+        Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+        Failure::Pipeline(PipelineError::Scene(errors)) => say_scene_errors(errors),
+        Failure::NotWell => {}
+        other => say(format_args!("error: {other}")),
+    }
+    match failure {
+        Failure::Pipeline(error) if !error.is_fault_of_input() => ExitCode::from(1),
+        Failure::Output(_) | Failure::NotWell => ExitCode::from(1),
+        Failure::Pipeline(_) | Failure::Frames(_) | Failure::New { .. } | Failure::Threads(_) => ExitCode::from(2),
+    }
+}
+
+fn in_threads(arguments: &Arguments) -> Result<(), Failure> {
+    let Some(threads) = arguments.threads else { return execute(arguments) };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build()?;
+    pool.install(|| execute(arguments))
+}
+
+fn execute(arguments: &Arguments) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    let mut progress = Bar::new(arguments.quiet);
+    match &arguments.command {
+        Command::Run(film) => run(film, &mut progress, &mut out),
+        Command::Simulate { film, restart } => {
+            let (scene, folder) = open(film)?;
+            let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
+            progress.clear();
+            Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
+        }
+        Command::Render { film, frames } => {
+            let (scene, folder) = open(film)?;
+            let frames = match frames {
+                Some(range) => range.frames(scene.clock.frames)?,
+                None => (1..=scene.clock.frames).collect(),
+            };
+            let summary = pipeline::render_frames(&scene, &folder, &frames, &mut progress)?;
+            progress.clear();
+            Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
+        }
+        Command::Check { scene: path } => {
+            let scene = Scene::read(path).map_err(PipelineError::from)?;
+            for note in pipeline::check(&scene)? {
+                writeln!(out, "{note}")?;
+            }
+            Ok(writeln!(out, "{}: nothing is wrong", path.display())?)
+        }
+        Command::Inspect { folder, json } => inspect(folder, *json, &mut out),
+        Command::New { name } => new(name, &mut out),
+        Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
+        Command::Completions { shell } => {
+            // Through memory, because the generator panics if it cannot write.
+            let mut script = Vec::new();
+            clap_complete::generate(*shell, &mut Arguments::command(), "immerse", &mut script);
+            Ok(out.write_all(&script)?)
+        }
+        Command::Man => Ok(clap_mangen::Man::new(Arguments::command()).render(&mut out)?),
+    }?;
+    Ok(io::stdout().flush()?)
+}
+
+/// The scene and the folder of its film.
+fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
+    let scene = Scene::read(&film.scene).map_err(PipelineError::from)?;
+    let folder = film.out.clone().unwrap_or_else(|| Path::new("renders").join(&scene.name));
+    Ok((scene, folder))
+}
+
+fn run(film: &Film, progress: &mut Bar, out: &mut impl Write) -> Result<(), Failure> {
+    let (scene, folder) = open(film)?;
+    let simulated = pipeline::simulate(&scene, &folder, false, progress)?;
+    let frames: Vec<usize> = (1..=scene.clock.frames).collect();
+    let rendered = pipeline::render_frames(&scene, &folder, &frames, progress)?;
+    let inspection = Inspection::of(&folder)?;
+    progress.clear();
+    writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
+    writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
+    inspection.write_summary(out)?;
+    if !inspection.checks.is_empty() {
+        writeln!(out)?;
+        inspection.write_checks(out)?;
+    }
+    all_is_well(&inspection)
+}
+
+fn inspect(folder: &Path, json: bool, out: &mut impl Write) -> Result<(), Failure> {
+    let inspection = Inspection::of(folder)?;
+    if json {
+        inspection.write_json(out)?;
+    } else {
+        inspection.write_tables(out)?;
+    }
+    for error in &inspection.damaged {
+        say(format_args!("error: {error}"));
+    }
+    if inspection.damaged.is_empty() { Ok(()) } else { Err(Failure::NotWell) }
+}
+
+/// Says on standard error which checks do not hold and which frames do not verify.
+fn all_is_well(inspection: &Inspection) -> Result<(), Failure> {
+    let broken: Vec<&str> = inspection.checks.iter().filter(|check| !check.holds).map(|check| check.name).collect();
+    if !broken.is_empty() {
+        say(format_args!("error: the last frame does not hold to [checks]: {}", broken.join(", ")));
+    }
+    for error in &inspection.damaged {
+        say(format_args!("error: {error}"));
+    }
+    if broken.is_empty() && inspection.damaged.is_empty() { Ok(()) } else { Err(Failure::NotWell) }
+}
+
+fn sentence(what: &str, summary: Summary, folder: &Path) -> String {
+    let Summary { made, kept } = summary;
+    let kept = if kept > 0 { format!(", {kept} were there") } else { String::new() };
+    format!("{}: {made} {what}{kept}", folder.display())
+}
+
+fn new(name: &str, out: &mut impl Write) -> Result<(), Failure> {
+    let path = PathBuf::from(if name.ends_with(".toml") { name.to_owned() } else { format!("{name}.toml") });
+    let failed = |source| Failure::New { path: path.clone(), source };
+    let mut file = OpenOptions::new().write(true).create_new(true).open(&path).map_err(failed)?;
+    file.write_all(STARTER.as_bytes()).map_err(failed)?;
+    Ok(writeln!(out, "{} is written; now: immerse run {}", path.display(), path.display())?)
+}

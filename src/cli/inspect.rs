@@ -1,0 +1,119 @@
+//! `inspect`: what each computed frame is worth, as tables or as JSON.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use serde::Serialize;
+use serde_json::Value as Json;
+
+use super::checks::{Check, checks_of};
+use super::text_table::{percent, short, write_table};
+use crate::cache::{Cache, CacheError, FrameReport, MeshCounts};
+
+/// What `inspect --json` prints.
+#[derive(Debug, Serialize)]
+pub(super) struct Inspection {
+    mesh: MeshCounts,
+    frames: Vec<FrameReport>,
+    pub checks: Vec<Check>,
+    /// Frames that are there but do not verify. Said on standard error.
+    #[serde(skip)]
+    pub damaged: Vec<CacheError>,
+}
+
+impl Inspection {
+    /// Reads and verifies all frames of a film.
+    pub fn of(folder: &Path) -> Result<Inspection, CacheError> {
+        let cache = Cache::open(folder)?;
+        let (mut frames, mut damaged) = (Vec::new(), Vec::new());
+        for frame in cache.frames()? {
+            match cache.read_report(frame) {
+                Ok(report) => frames.push(report),
+                Err(error) => damaged.push(error),
+            }
+        }
+        let manifest = cache.manifest();
+        let checks = checks_of(&manifest.checks, frames.last());
+        Ok(Inspection { mesh: manifest.mesh, frames, checks, damaged })
+    }
+
+    pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {
+        serde_json::to_writer_pretty(&mut *out, self)?;
+        writeln!(out)
+    }
+
+    pub fn write_tables(&self, out: &mut impl Write) -> io::Result<()> {
+        let MeshCounts { vertices, edges, faces, genus, boundaries } = self.mesh;
+        writeln!(out, "{vertices} vertices, {edges} edges, {faces} faces, genus {genus}, {boundaries} boundary loops")?;
+        writeln!(out)?;
+        let heading = [
+            "frame",
+            "time",
+            "L2 error",
+            "max error",
+            "rims",
+            "rim length",
+            "pinch points",
+            "class",
+            "energy",
+            "steps",
+            "seconds",
+            "converged",
+        ];
+        let mut rows = vec![heading.map(str::to_owned).to_vec()];
+        rows.extend(self.frames.iter().map(row));
+        write_table(out, &rows, &["class"])?;
+        if !self.checks.is_empty() {
+            writeln!(out)?;
+            self.write_checks(out)?;
+        }
+        Ok(())
+    }
+
+    pub fn write_checks(&self, out: &mut impl Write) -> io::Result<()> {
+        let shown = |value: &Json| match value {
+            Json::Null => "no frame".to_owned(),
+            Json::String(text) => text.clone(),
+            Json::Number(number) if number.is_f64() => number.as_f64().map_or_else(String::new, short),
+            other => other.to_string(),
+        };
+        let mut rows = vec![["check", "limit", "value", "holds"].map(str::to_owned).to_vec()];
+        for check in &self.checks {
+            let holds = if check.holds { "yes" } else { "NO" };
+            rows.push(vec![check.name.to_owned(), shown(&check.limit), shown(&check.value), holds.to_owned()]);
+        }
+        write_table(out, &rows, &["check", "holds"])
+    }
+
+    /// One line for the end of a run.
+    pub fn write_summary(&self, out: &mut impl Write) -> io::Result<()> {
+        let Some(last) = self.frames.last() else { return writeln!(out, "no frames") };
+        writeln!(
+            out,
+            "{} frames; the last one has length error {} (max {}), {} rims, {} pinch points{}",
+            self.frames.len(),
+            percent(last.l2_length_error),
+            percent(last.max_length_error),
+            last.rims,
+            last.pinch_points,
+            if last.spin_class.is_empty() { String::new() } else { format!(", class {}", last.spin_class) },
+        )
+    }
+}
+
+fn row(report: &FrameReport) -> Vec<String> {
+    vec![
+        report.frame.to_string(),
+        short(report.time),
+        percent(report.l2_length_error),
+        percent(report.max_length_error),
+        report.rims.to_string(),
+        short(report.rim_length),
+        report.pinch_points.to_string(),
+        if report.spin_class.is_empty() { "-".to_owned() } else { report.spin_class.clone() },
+        short(report.energy),
+        report.cursor.steps.to_string(),
+        format!("{:.1}", report.seconds),
+        if report.converged { "yes" } else { "NO" }.to_owned(),
+    ]
+}

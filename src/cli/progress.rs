@@ -1,0 +1,72 @@
+//! How far a run is, on standard error.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// Is told how far a run is.
+pub trait Progress {
+    /// A stage begins: its name, and how many parts it has if that is known.
+    fn begin(&mut self, stage: &str, parts: Option<usize>);
+
+    /// So many parts are done; the length error where there is one.
+    fn advance(&mut self, done: usize, length_error: Option<f64>);
+
+    /// Says something that stays on the screen, such as that a phase did not converge.
+    fn note(&mut self, text: &str);
+}
+
+/// A bar with stage, error and the time left. It draws itself only on a terminal.
+pub(super) struct Bar {
+    bar: ProgressBar,
+    quiet: bool,
+}
+
+impl Bar {
+    pub fn new(quiet: bool) -> Bar {
+        let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        Bar { bar: ProgressBar::with_draw_target(None, target), quiet }
+    }
+
+    /// Makes room for results on the same terminal.
+    pub fn clear(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for Bar {
+    fn begin(&mut self, stage: &str, parts: Option<usize>) {
+        let template = match parts {
+            Some(_) => "{prefix:>12} {bar:30} {pos}/{len} {msg} ({eta} left)",
+            None => "{prefix:>12} {spinner} {pos} {msg} ({elapsed})",
+        };
+        self.bar.reset();
+        match parts {
+            Some(parts) => self.bar.set_length(parts as u64),
+            None => self.bar.unset_length(),
+        }
+        self.bar.set_style(ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar()));
+        self.bar.set_prefix(stage.to_owned());
+        self.bar.set_message("");
+        self.bar.enable_steady_tick(Duration::from_millis(200));
+    }
+
+    fn advance(&mut self, done: usize, length_error: Option<f64>) {
+        self.bar.set_position(done as u64);
+        if let Some(error) = length_error {
+            self.bar.set_message(format!("error {}", super::text_table::percent(error)));
+        }
+    }
+
+    fn note(&mut self, text: &str) {
+        if !self.quiet {
+            self.bar.suspend(|| super::diagnostics::say(text));
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.clear();
+    }
+}

@@ -1,0 +1,262 @@
+//! The folder of a film: what comes back, what is refused, what a resume may skip.
+
+use std::fs;
+use std::path::Path;
+
+use glam::{DQuat, DVec3};
+use immerse::cache::{Cache, CacheError, Film, FrameReport, FrameState};
+use immerse::mesh::Mesh;
+use immerse::scene::ChecksSection;
+
+const TETRAHEDRON: [[u32; 3]; 4] = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
+
+fn tetrahedron() -> Mesh {
+    Mesh::from_faces(4, &TETRAHEDRON).unwrap()
+}
+
+fn film() -> Film {
+    let checks = ChecksSection { max_rims: Some(0), ..Default::default() };
+    Film { scene: "test".into(), fingerprint: 7, frame_count: 4, checks }
+}
+
+fn state(frame: usize) -> FrameState {
+    let x = |i: usize| (i * 37 + frame * 101) as f64 / 7.0;
+    FrameState {
+        frame,
+        time: frame as f64 / 24.0,
+        positions: (0..4).map(|i| DVec3::new(x(i), -x(i + 1), 1e-300 * x(i))).collect(),
+        frames: (0..4).map(|i| DQuat::from_xyzw(x(i), 2.0, 3.0, x(i + 2)).normalize()).collect(),
+        transport: (0..6).map(|i| [x(i), -0.0]).collect(),
+        edge_lengths: (0..6).map(x).collect(),
+        rims: (0..6).map(|i| i % 3 == 0).collect(),
+        report: FrameReport {
+            frame,
+            time: frame as f64 / 24.0,
+            l2_length_error: 0.0123456789012345,
+            spin_class: "01".into(),
+            seconds: 1.5,
+            converged: true,
+            ..Default::default()
+        },
+    }
+}
+
+/// A film with three of its four frames done.
+fn cache(folder: &Path) -> Cache {
+    let cache = Cache::open_or_create(folder, &film(), &tetrahedron()).unwrap();
+    for frame in 1..=3 {
+        cache.write_frame(&state(frame)).unwrap();
+    }
+    cache
+}
+
+fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut all = Vec::new();
+    for folder in [folder.to_owned(), folder.join("frames")] {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_file() {
+                all.push((path.display().to_string(), fs::read(&path).unwrap()));
+            }
+        }
+    }
+    all.sort();
+    all
+}
+
+#[test]
+fn what_was_written_comes_back_to_the_bit() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path().join("renders/test");
+    let written = cache(&dir);
+    let cache = Cache::open(&dir).unwrap();
+    assert_eq!(cache.manifest(), written.manifest());
+    assert_eq!(cache.triangles().unwrap(), TETRAHEDRON);
+    let counts = cache.manifest().mesh;
+    assert_eq!([counts.vertices, counts.edges, counts.faces, counts.genus, counts.boundaries], [4, 6, 4, 0, 0]);
+    assert_eq!(cache.manifest().checks, film().checks);
+    for frame in 1..=3 {
+        let read = cache.read_frame(frame).unwrap();
+        assert_eq!(read, state(frame));
+        let bits = |state: &FrameState| state.transport.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&read), bits(&state(frame)));
+        assert_eq!(cache.read_report(frame).unwrap(), state(frame).report);
+    }
+    assert_eq!(cache.frames().unwrap(), [1, 2, 3]);
+    assert_eq!(cache.last_valid_frame().unwrap(), Some(3));
+    assert!(matches!(cache.read_frame(4), Err(CacheError::Missing { .. })));
+    assert!(contents(&dir).iter().all(|(name, _)| !name.ends_with(".part")));
+}
+
+#[test]
+fn the_state_is_the_same_bytes_whenever_and_however_long_it_was_computed() {
+    let folders = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+    let bytes = folders.each_ref().map(|folder| {
+        let cache = cache(folder.path());
+        let mut slow = state(2);
+        slow.report.seconds = folder.path().as_os_str().len() as f64 + 0.1;
+        std::thread::sleep(std::time::Duration::from_millis(10));
+        cache.write_frame(&slow).unwrap();
+        fs::read(folder.path().join("frames/000002.npz")).unwrap()
+    });
+    assert_eq!(bytes[0], bytes[1]);
+    // Neither the clock nor the machine is in it: this is what it has been since format 1.
+    assert_eq!((bytes[0].len(), crc32fast::hash(&bytes[0])), STATE_LENGTH_AND_CRC32);
+}
+
+const STATE_LENGTH_AND_CRC32: (usize, u32) = (2392, 3866482228);
+
+#[test]
+fn a_resume_skips_only_frames_that_verify() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = cache(folder.path());
+    for name in ["frames/000002.npz", "frames/000002.json"] {
+        let path = folder.path().join(name);
+        let good = fs::read(&path).unwrap();
+        for damage in 0..good.len() + 3 {
+            let mut bytes = good.clone();
+            match damage.checked_sub(good.len()) {
+                // Every byte in turn, some bit of it.
+                None => bytes[damage] ^= 1 << (damage % 8),
+                Some(0) => bytes.truncate(good.len() / 2),
+                Some(1) => bytes.clear(),
+                Some(_) => bytes.push(0),
+            }
+            fs::write(&path, bytes).unwrap();
+            assert_eq!(cache.last_valid_frame().unwrap(), Some(1), "{name}, damage {damage}");
+            assert!(cache.read_frame(2).is_err() && cache.read_report(2).is_err());
+            assert!(cache.read_frame(3).is_ok());
+        }
+        fs::remove_file(&path).unwrap();
+        assert_eq!(cache.last_valid_frame().unwrap(), Some(1));
+        fs::write(&path, good).unwrap();
+        assert_eq!(cache.last_valid_frame().unwrap(), Some(3));
+    }
+    cache.write_frame(&state(4)).unwrap();
+    assert_eq!(cache.last_valid_frame().unwrap(), Some(4));
+    fs::remove_file(folder.path().join("frames/000001.json")).unwrap();
+    assert_eq!(cache.last_valid_frame().unwrap(), None);
+}
+
+#[test]
+fn a_damaged_frame_says_so_and_how_to_mend_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = cache(folder.path());
+    let path = folder.path().join("frames/000001.npz");
+    let mut bytes = fs::read(&path).unwrap();
+    bytes[200] ^= 1;
+    fs::write(&path, bytes).unwrap();
+    let message = cache.read_frame(1).unwrap_err().to_string();
+    assert!(
+        message.contains("000001.npz: it is damaged (its checksum does not match); run `immerse simulate`"),
+        "{message}"
+    );
+    // A frame in the place of another one is no frame either.
+    for ending in ["npz", "json"] {
+        let frame = |n: usize| folder.path().join(format!("frames/00000{n}.{ending}"));
+        fs::copy(frame(3), frame(2)).unwrap();
+    }
+    assert!(matches!(cache.read_frame(2), Err(CacheError::Damaged { .. })));
+}
+
+#[test]
+fn another_scene_is_refused_and_nothing_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    cache(folder.path());
+    let before = contents(folder.path());
+    let changed = Film { fingerprint: 8, ..film() };
+    let other = Film { scene: "other".into(), ..changed.clone() };
+    let two_faces = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    for (film, mesh, found) in [
+        (&changed, tetrahedron(), "another version of the scene `test`"),
+        (&other, tetrahedron(), "the scene `test`; nothing was overwritten"),
+        (&film(), two_faces, "the scene `test` on another mesh"),
+    ] {
+        let error = Cache::open_or_create(folder.path(), film, &mesh).unwrap_err();
+        assert!(matches!(error, CacheError::OtherScene { .. }));
+        let message = error.to_string();
+        assert!(message.contains(found) && message.contains("--restart") && message.contains("--out"), "{message}");
+    }
+    assert_eq!(contents(folder.path()), before);
+    // Opening it with the same scene changes nothing either.
+    Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap();
+    assert_eq!(contents(folder.path()), before);
+}
+
+#[test]
+fn a_restart_begins_anew_and_leaves_other_files_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    cache(folder.path());
+    let stranger = folder.path().join("frames/notes.json");
+    fs::write(&stranger, "mine").unwrap();
+    let changed = Film { fingerprint: 8, frame_count: 2, ..film() };
+    let cache = Cache::restart(folder.path(), &changed, &tetrahedron()).unwrap();
+    assert_eq!((cache.frames().unwrap(), cache.last_valid_frame().unwrap()), (vec![], None));
+    assert_eq!(Cache::open(folder.path()).unwrap().manifest().fingerprint, 8);
+    assert_eq!(fs::read_to_string(stranger).unwrap(), "mine");
+}
+
+#[test]
+fn frames_of_another_scene_do_not_count_even_without_their_manifest() {
+    let folder = tempfile::tempdir().unwrap();
+    cache(folder.path());
+    fs::remove_file(folder.path().join("manifest.json")).unwrap();
+    let changed = Film { fingerprint: 8, ..film() };
+    let cache = Cache::open_or_create(folder.path(), &changed, &tetrahedron()).unwrap();
+    assert_eq!(cache.last_valid_frame().unwrap(), None);
+}
+
+#[test]
+fn manifests_of_other_versions_and_broken_ones_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let error = Cache::open(folder.path()).unwrap_err();
+    assert!(matches!(error, CacheError::NotAFilm { .. }));
+    assert!(error.to_string().contains("simulate one first"), "{error}");
+
+    cache(folder.path());
+    let path = folder.path().join("manifest.json");
+    let good = fs::read_to_string(&path).unwrap();
+    fs::write(&path, good.replace("\"format\": 1", "\"format\": 2")).unwrap();
+    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+    assert!(matches!(error, CacheError::Version { found: 2, .. }), "{error}");
+    assert!(error.to_string().contains("it has format 2, this program reads format 1"), "{error}");
+
+    for broken in [good.replace("test", "tset"), good[..good.len() / 2].to_owned(), String::new(), "{}".into()] {
+        fs::write(&path, broken).unwrap();
+        let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+        assert!(matches!(error, CacheError::Damaged { .. }), "{error}");
+        assert!(error.to_string().contains("--restart"), "{error}");
+    }
+    fs::write(&path, good).unwrap();
+    fs::write(folder.path().join("mesh.npz"), "").unwrap();
+    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+    assert!(error.to_string().contains("mesh.npz: it is damaged"), "{error}");
+}
+
+#[test]
+fn frames_that_are_unfit_are_not_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let cache = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap();
+    let mut short = state(1);
+    short.positions.pop();
+    let mut diverged = state(1);
+    diverged.positions[2].y = f64::NAN;
+    let mut infinite = state(1);
+    infinite.report.energy = f64::INFINITY;
+    for (state, reason) in
+        [(short, "there are 3 positions, the mesh wants 4"), (diverged, "not finite"), (infinite, "not finite")]
+    {
+        let error = cache.write_frame(&state).unwrap_err();
+        assert!(matches!(error, CacheError::Unfit { frame: 1, .. }));
+        assert!(error.to_string().contains(reason), "{error}");
+    }
+    assert_eq!(fs::read_dir(folder.path().join("frames")).unwrap().count(), 0);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_that_cannot_be_written_is_an_error_with_a_path() {
+    let error = Cache::open_or_create(Path::new("/proc/immerse"), &film(), &tetrahedron()).unwrap_err();
+    assert!(matches!(error, CacheError::Io { action: "created", .. }), "{error}");
+    assert!(error.to_string().contains("/proc/immerse"), "{error}");
+}

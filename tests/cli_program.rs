@@ -1,0 +1,253 @@
+//! The program as a whole: exit codes, what goes where, and that nothing is written where it should not.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+use glam::{DQuat, DVec3};
+use immerse::cache::{Cache, Film, FrameReport, FrameState};
+use immerse::cli::checks_of;
+use immerse::mesh::Mesh;
+use immerse::scene::ChecksSection;
+
+fn immerse(folder: &Path) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
+    command.current_dir(folder).env_remove("NO_COLOR");
+    command
+}
+
+fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let Output { status, stdout, stderr } = immerse(folder).args(arguments).output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (status.code().unwrap(), text(stdout), text(stderr))
+}
+
+/// The film of a tetrahedron with two frames.
+fn film(folder: &Path, checks: ChecksSection) -> Cache {
+    let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]).unwrap();
+    let film = Film { scene: "test".into(), fingerprint: 7, frame_count: 2, checks };
+    let cache = Cache::open_or_create(folder, &film, &mesh).unwrap();
+    for frame in [1, 2] {
+        let report = FrameReport {
+            frame,
+            l2_length_error: 0.0123,
+            max_length_error: 0.5,
+            rims: 3 * frame,
+            cursor: immerse::evolve::Cursor { phase: 5, step: 0, steps: 40, settled: true },
+            converged: true,
+            ..Default::default()
+        };
+        cache
+            .write_frame(&FrameState {
+                frame,
+                time: 0.0,
+                positions: vec![DVec3::ZERO; 4],
+                frames: vec![DQuat::IDENTITY; 4],
+                transport: vec![[1.0, 0.0]; 6],
+                edge_lengths: vec![1.0; 6],
+                rims: vec![false; 6],
+                report,
+            })
+            .unwrap();
+    }
+    cache
+}
+
+#[test]
+fn mistakes_in_a_scene_end_with_2_and_are_all_shown_with_a_caret() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("film.toml"), "[mesh]\nshape = \"spere\"\n[clock]\nframes = 0\n").unwrap();
+    for command in ["check", "run", "simulate", "render"] {
+        let (code, out, err) = run(folder.path(), &[command, "film.toml"]);
+        assert_eq!((code, out.as_str()), (2, ""), "{command}: {err}");
+        for part in ["film.toml:2:9", "did you mean `sphere`?", "film.toml:4:10", "^", "2 mistakes", "frames = 0"] {
+            assert!(err.contains(part), "{command}: no {part} in\n{err}");
+        }
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn the_caret_stands_under_the_place_even_behind_the_end() {
+    let folder = tempfile::tempdir().unwrap();
+    for (text, picture) in [
+        ("[clock]\nframes = 0\n", " 2 | frames = 0\n   :          ^\n"),
+        ("[clock]\nframes = ", " 2 | frames =  \n   :          ^\n"),
+        ("[clock\nframes = 1", " 1 | [clock\n   :       ^\n"),
+        ("[look]\nfront = \"é\"", " 2 | front = \"é\" \n   :         ^^^\n"),
+    ] {
+        fs::write(folder.path().join("film.toml"), text).unwrap();
+        let (code, _, err) = run(folder.path(), &["check", "film.toml"]);
+        assert_eq!(code, 2);
+        assert!(err.contains(picture), "{err}");
+    }
+}
+
+#[test]
+fn missing_files_and_folders_end_with_2() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, part) in [
+        (["check", "none.toml"], "none.toml: there is no such file; check the path"),
+        (["run", "none.toml"], "none.toml: there is no such file; check the path"),
+        (["inspect", "none"], "none: there is no film here; simulate one first"),
+        (["inspect", "."], ".: there is no film here; simulate one first"),
+    ] {
+        let (code, out, err) = run(folder.path(), &arguments);
+        assert_eq!((code, out.as_str()), (2, ""), "{err}");
+        assert!(err.contains(part), "{err}");
+    }
+}
+
+#[test]
+fn wrong_arguments_end_with_2_and_help_with_0() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("film.toml"), "[clock]\nframes = 5").unwrap();
+    for (arguments, part) in [
+        (&["render", "film.toml", "--frames", "5-3"][..], "write the smaller frame first"),
+        (&["render", "film.toml", "--frames", "1-6"], "frame 6 is asked for, but the film has 5"),
+        (&["simulate", "film.toml", "--threads", "0"], "--threads"),
+        (&["simulat", "film.toml"], "simulate"),
+        (&["run", "film.toml", "--restart"], "--restart"),
+        (&[], "Usage"),
+    ] {
+        let (code, out, err) = run(folder.path(), arguments);
+        assert_eq!((code, out.as_str()), (2, ""), "{err}");
+        assert!(err.contains(part), "{err}");
+    }
+    let (code, out, err) = run(folder.path(), &["--help"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("Exit codes: 0 done"), "{out}");
+    assert_eq!(run(folder.path(), &["--version"]).0, 0);
+}
+
+#[test]
+fn a_new_scene_is_valid_and_never_replaces_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, out, _) = run(folder.path(), &["new", "film"]);
+    assert_eq!(code, 0);
+    assert!(out.contains("immerse run film.toml"), "{out}");
+    let (code, out, err) = run(folder.path(), &["check", "film.toml", "--threads", "2"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    assert!(out.contains("film.toml: nothing is wrong"), "{out}");
+    fs::write(folder.path().join("film.toml"), "mine").unwrap();
+    let (code, _, err) = run(folder.path(), &["new", "film.toml"]);
+    assert_eq!(code, 2);
+    assert!(err.contains("film.toml: cannot be written"), "{err}");
+    assert_eq!(fs::read_to_string(folder.path().join("film.toml")).unwrap(), "mine");
+}
+
+#[test]
+fn what_is_generated_goes_to_standard_output() {
+    let folder = tempfile::tempdir().unwrap();
+    for (arguments, part) in
+        [(&["schema"][..], "\"flat_torus\""), (&["completions", "bash"], "_immerse"), (&["man"], ".TH immerse")]
+    {
+        let (code, out, err) = run(folder.path(), arguments);
+        assert_eq!((code, err.as_str()), (0, ""));
+        assert!(out.contains(part), "{out}");
+    }
+    let (_, schema, _) = run(folder.path(), &["schema"]);
+    assert_eq!(serde_json::from_str::<serde_json::Value>(&schema).unwrap(), immerse::scene::Scene::schema());
+}
+
+#[test]
+fn inspect_prints_one_object_or_tables() {
+    let folder = tempfile::tempdir().unwrap();
+    let checks = ChecksSection { max_l2_length_error: Some(0.02), max_rims: Some(5), ..Default::default() };
+    film(folder.path(), checks);
+    let (code, out, err) = run(folder.path(), &["inspect", ".", "--json"]);
+    assert_eq!((code, err.as_str()), (0, ""));
+    let object: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(
+        object["mesh"],
+        serde_json::json!({ "vertices": 4, "edges": 6, "faces": 4, "genus": 0, "boundaries": 0 })
+    );
+    assert_eq!((object["frames"].as_array().unwrap().len(), &object["frames"][1]["rims"]), (2, &6.into()));
+    assert_eq!(
+        object["checks"],
+        serde_json::json!([
+            { "name": "max_l2_length_error", "limit": 0.02, "value": 0.0123, "holds": true },
+            { "name": "max_rims", "limit": 5, "value": 6, "holds": false },
+        ])
+    );
+
+    let (code, out, _) = run(folder.path(), &["inspect", "."]);
+    assert_eq!(code, 0);
+    let lines: Vec<&str> = out.lines().collect();
+    assert_eq!(lines[0], "4 vertices, 6 edges, 4 faces, genus 0, 0 boundary loops");
+    assert!(lines[2].starts_with("frame  time  L2 error"), "{out}");
+    assert!(lines[4].starts_with("    2     0    1.23 %       50 %     6"), "{out}");
+    assert_eq!(lines[7], "max_l2_length_error   0.02  0.0123  yes");
+    assert_eq!(lines[8], "max_rims                 5       6  NO");
+}
+
+#[test]
+fn inspect_names_damaged_frames_and_ends_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    film(folder.path(), ChecksSection::default());
+    fs::write(folder.path().join("frames/000001.npz"), "?").unwrap();
+    let (code, out, err) = run(folder.path(), &["inspect", ".", "--json"]);
+    assert_eq!(code, 1);
+    assert!(err.contains("000001.npz: it is damaged"), "{err}");
+    let object: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(object["frames"][0]["frame"], 2);
+}
+
+#[test]
+fn a_film_in_another_format_ends_with_2() {
+    let folder = tempfile::tempdir().unwrap();
+    film(folder.path(), ChecksSection::default());
+    let manifest = folder.path().join("manifest.json");
+    let later = fs::read_to_string(&manifest).unwrap().replace("\"format\": 1", "\"format\": 9");
+    fs::write(&manifest, later).unwrap();
+    let (code, _, err) = run(folder.path(), &["inspect", "."]);
+    assert_eq!(code, 2);
+    assert!(err.contains("it has format 9, this program reads format 1"), "{err}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_closed_or_full_output_is_no_panic() {
+    let folder = tempfile::tempdir().unwrap();
+    film(folder.path(), ChecksSection::default());
+    for arguments in [&["schema"][..], &["man"], &["completions", "zsh"], &["--help"], &["inspect", "."]] {
+        let mut child =
+            immerse(folder.path()).args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), err.as_str()), (Some(0), ""), "{arguments:?}");
+        if !cfg!(target_os = "linux") {
+            continue;
+        }
+        let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = immerse(folder.path()).args(arguments).stdout(full).output().unwrap();
+        let err = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{arguments:?}: {err}");
+        assert!(err.contains("standard output cannot be written"), "{err}");
+    }
+}
+
+#[test]
+fn checks_compare_the_last_frame_with_the_scene() {
+    let checks = ChecksSection {
+        max_l2_length_error: Some(0.01),
+        max_rims: Some(0),
+        max_pinch_points: Some(1),
+        class: Some("01".into()),
+    };
+    let good = FrameReport { l2_length_error: 0.01, pinch_points: 1, spin_class: "01".into(), ..Default::default() };
+    let holds = |report: Option<&FrameReport>| checks_of(&checks, report).iter().map(|c| c.holds).collect::<Vec<_>>();
+    assert_eq!(holds(Some(&good)), [true; 4]);
+    let bad = FrameReport {
+        l2_length_error: 0.0101,
+        rims: 1,
+        pinch_points: 2,
+        spin_class: "10".into(),
+        ..Default::default()
+    };
+    assert_eq!(holds(Some(&bad)), [false; 4]);
+    assert_eq!(holds(Some(&FrameReport { l2_length_error: f64::NAN, ..good })), [false, true, true, true]);
+    assert_eq!(holds(None), [false; 4]);
+    assert_eq!(checks_of(&ChecksSection::default(), None), []);
+}
