@@ -137,7 +137,19 @@ fn a_floor_that_passes_under_the_eye_is_clipped_at_the_near_plane() {
 }
 
 #[test]
-fn a_pixel_at_the_corner_of_two_sheets_blends_by_coverage() {
+fn nothing_nearer_than_the_near_plane_is_seen() {
+    let output = Output::new(4, 2, 1).expect("a size");
+    let camera = Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");
+    // The near plane is a thousandth of the size of the surface away.
+    for (distance, row) in [(0.0009, "...."), (0.0011, "####")] {
+        let film =
+            seen_by(&camera, &output, &[[[-9.0, -9.0, -distance], [9.0, -9.0, -distance], [0.0, 9.0, -distance]]]);
+        assert_eq!(drawing(&film), lines(&[row, row]), "at {distance}");
+    }
+}
+
+#[test]
+fn half_covered_pixels_are_half_covered() {
     // Half of every pixel of the picture is white; the filter sees halves everywhere.
     let strips: Vec<[[f64; 3]; 3]> = (-2..18)
         .flat_map(|x| {
