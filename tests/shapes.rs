@@ -175,6 +175,9 @@ fn hyperbolic_disks() {
         let angle = smallest_angle(&surface);
         println!("K = {curvature}, R = {radius}, {} faces: smallest angle {angle:.1}", surface.mesh.face_count());
         assert!(angle > 30.0, "{angle}");
+        let smallest: f64 = angles(&surface).iter().map(|t| t.iter().copied().fold(180.0, f64::min)).sum();
+        let mean = smallest / surface.mesh.face_count() as f64;
+        assert!(mean > 52.0, "the mean of the smallest angles is {mean}");
 
         // The area of the disk is 4π/|K| sinh²(√|K| R / 2), and by Gauss–Bonnet the vertices inside carry
         // the share of it that lies nearer to them than to the boundary.
@@ -342,12 +345,16 @@ fn implicit_primitives_lie_on_their_surfaces() {
 
 #[test]
 fn ellipsoids_turn_about_x_then_y_then_z() {
-    // x → x, then about y: x → −z, then about z: −z stays.
-    let body = Body::Ellipsoid { center: [0.0; 3], radii: [0.9, 0.5, 0.5], rotation: [90.0, 90.0, 90.0] };
-    let solid = Solid { body, operation: Operation::Union, blend: 0.0 };
-    let surface = make(Shape::Implicit { solid, edge_length: 0.1 });
-    let reach = surface.positions.unwrap().into_iter().fold(DVec3::ZERO, |reach, p| reach.max(p.abs()));
-    assert!(reach.z > 0.85 && reach.x < 0.51 && reach.y < 0.51, "{reach}");
+    // Where the long axis x goes: about x it stays, about y it becomes −z, about z it becomes y.
+    for (rotation, long) in [([90.0, 0.0, 90.0], 1), ([0.0, 90.0, 90.0], 2), ([90.0, 90.0, 0.0], 2)] {
+        let body = Body::Ellipsoid { center: [0.0; 3], radii: [0.9, 0.5, 0.5], rotation };
+        let solid = Solid { body, operation: Operation::Union, blend: 0.0 };
+        let surface = make(Shape::Implicit { solid, edge_length: 0.1 });
+        let reach = surface.positions.unwrap().into_iter().fold(DVec3::ZERO, |reach, p| reach.max(p.abs()));
+        for axis in 0..3 {
+            assert!(if axis == long { reach[axis] > 0.85 } else { reach[axis] < 0.51 }, "{rotation:?}: {reach}");
+        }
+    }
 }
 
 #[test]

@@ -9,8 +9,9 @@ use super::limits::{at_least, face_count, invalid, positive};
 use crate::mesh::{Mesh, MeshError, Surface};
 
 const SHAPE: &str = "hyperbolic_disk";
-/// Rounds of flips and smoothing; angles change by less than a degree after this many.
-const ROUNDS: usize = 40;
+/// Rounds of smoothing and flips. They raise the mean of the triangles' smallest angles from 49 to 53 degrees
+/// (and lower the very smallest from 40 to 34); more rounds add less than half a degree.
+const ROUNDS: usize = 5;
 
 /// A disk of geodesic `radius` in the plane of constant `curvature` < 0, with about `faces` well-shaped
 /// triangles of equal size. It has the geodesic distances as edge lengths, and no positions.
