@@ -98,10 +98,10 @@ impl Mesh {
 
         let mut first = vec![NONE; vertex_count];
         let mut degree = vec![0u32; vertex_count];
-        for h in 0..twins.len() {
+        for (h, &twin) in twins.iter().enumerate() {
             let v = tail(h).index();
             degree[v] += 1;
-            if first[v] == NONE || twins[h] == NONE {
+            if first[v] == NONE || twin == NONE {
                 first[v] = h as u32;
             }
         }
