@@ -20,12 +20,9 @@ fn check(name: &str, frames: &[DQuat], value: impl Fn(&[DQuat]) -> f64, gradient
         };
         // Fourth-order central difference.
         let numeric = (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h);
-        let exact: f64 =
-            (0..frames.len()).map(|f| (gradient.linear[f] + gradient.curved[f]).dot(direction[f])).sum();
-        let scale: f64 = (0..frames.len())
-            .map(|f| (gradient.linear[f] + gradient.curved[f]).length_squared())
-            .sum::<f64>()
-            .sqrt();
+        let exact: f64 = (0..frames.len()).map(|f| (gradient.linear[f] + gradient.curved[f]).dot(direction[f])).sum();
+        let scale: f64 =
+            (0..frames.len()).map(|f| (gradient.linear[f] + gradient.curved[f]).length_squared()).sum::<f64>().sqrt();
         assert!(scale > 1e-3, "{name}: the gradient vanishes, nothing is tested");
         assert!((numeric - exact).abs() < 1e-6 * scale, "{name}: {numeric} against {exact}, scale {scale}");
     }

@@ -140,8 +140,7 @@ fn generators_are_dual() {
         let homology = Homology::new(&mesh, &metric);
         for (k, a) in homology.generators().iter().enumerate() {
             for (l, b) in homology.generators().iter().enumerate() {
-                let crossings =
-                    a.strip.exits().iter().filter(|&&h| b.path.iter().any(|&e| e == mesh.edge(h))).count();
+                let crossings = a.strip.exits().iter().filter(|&&h| b.path.iter().any(|&e| e == mesh.edge(h))).count();
                 assert_eq!(crossings, usize::from(k == l));
             }
         }

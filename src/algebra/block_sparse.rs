@@ -125,20 +125,14 @@ impl IncompleteCholesky {
 /// Whether Cholesky's pivots stay above rounding relative to the block they came from.
 fn is_positive_definite(m: &DMat4, scale: &DMat4) -> bool {
     let floor = 1e-12 * scale.x_axis.x.max(scale.y_axis.y).max(scale.z_axis.z).max(scale.w_axis.w);
-    let mut a = m.to_cols_array_2d();
-    for k in 0..4 {
-        let pivot = a[k][k];
-        if pivot.is_nan() || pivot <= floor {
-            return false;
-        }
-        for i in k + 1..4 {
-            let factor = a[k][i] / pivot;
-            for j in k + 1..4 {
-                a[j][i] -= factor * a[j][k];
-            }
-        }
-    }
-    true
+    let mut rest = *m;
+    (0..4).all(|k| {
+        let column = rest.col(k);
+        let pivot = column[k];
+        rest -= DMat4::from_cols(column * column.x, column * column.y, column * column.z, column * column.w)
+            * (1.0 / pivot);
+        pivot > floor
+    })
 }
 
 /// Inner product, summed in fixed pieces.

@@ -2,10 +2,10 @@
 
 use std::io;
 
-use glam::{DQuat, DVec3};
 use super::film::MeshCounts;
 use super::npz::{ArrayReader, ArrayWriter};
 use crate::evolve::FrameReport;
+use glam::{DQuat, DVec3};
 
 /// Everything a frame hands on to the next one and to the pictures.
 #[derive(Clone, Debug, PartialEq)]

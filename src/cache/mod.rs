@@ -18,9 +18,9 @@ mod film;
 mod frame;
 mod npz;
 
+pub use crate::evolve::FrameReport;
 pub use error::CacheError;
 pub use film::{Cache, Film, Manifest, MeshCounts};
-pub use crate::evolve::FrameReport;
 pub use frame::FrameState;
 
 /// Version of all files in the folder. Raised when their meaning changes.

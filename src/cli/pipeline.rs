@@ -245,7 +245,8 @@ pub(super) fn render_frames(
         };
         let film = render(&scenery, &camera, &lights, &look, &output)?;
         if film.skipped_triangles() > 0 {
-            progress.note(&format!("frame {frame}: {} triangles have no area and are not drawn", film.skipped_triangles()));
+            progress
+                .note(&format!("frame {frame}: {} triangles have no area and are not drawn", film.skipped_triangles()));
         }
         let name = folder.join(format!("{frame:06}"));
         if scene.output.png {

@@ -25,10 +25,14 @@ pub enum SetupError {
     #[error("{0}; even out the edge lengths, the weights differ by too many orders of magnitude")]
     Poisson(#[from] CholeskyError),
     /// A start from positions that do not exist.
-    #[error("the frames are to start from positions, but the mesh has none; write `random = 0` or use a mesh that has them")]
+    #[error(
+        "the frames are to start from positions, but the mesh has none; write `random = 0` or use a mesh that has them"
+    )]
     StartWithoutPositions,
     /// Bending angles of positions that do not exist.
-    #[error("bending angles are to come from positions, but the mesh has none; leave [bending] out or use a mesh that has them")]
+    #[error(
+        "bending angles are to come from positions, but the mesh has none; leave [bending] out or use a mesh that has them"
+    )]
     BendingWithoutPositions,
 }
 

@@ -79,7 +79,21 @@ impl Simulation {
         let stepper = Stepper::new(&shell);
         let cursor = Cursor::default();
         let phases = phases_from_scene(&scene.phases);
-        Ok(Simulation { mesh, repairs, metric, homology, spin, phases, frames, cursor, shell, poisson, periods, pins, stepper })
+        Ok(Simulation {
+            mesh,
+            repairs,
+            metric,
+            homology,
+            spin,
+            phases,
+            frames,
+            cursor,
+            shell,
+            poisson,
+            periods,
+            pins,
+            stepper,
+        })
     }
 
     /// Lines 7 to 9 of Algorithm 2: relaxes the frames, through all phases or for some steps, and realizes the surface.

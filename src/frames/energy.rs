@@ -109,13 +109,13 @@ impl Gradient {
         let (i, j) = (hinge.i.index(), hinge.j.index());
         let back = strain.transport.conjugate();
         let push = axis * strain.midframe * force;
-        self.linear[j] = self.linear[j] + push;
-        self.linear[i] = self.linear[i] - back * push;
+        self.linear[j] += push;
+        self.linear[i] -= back * push;
         if strain.sum_length > f64::MIN_POSITIVE {
             let turn = axis.conjugate() * strain.difference * force;
             let tangent = (turn - strain.midframe * strain.midframe.dot(turn)) * (1.0 / strain.sum_length);
-            self.curved[j] = self.curved[j] + tangent;
-            self.curved[i] = self.curved[i] + back * tangent;
+            self.curved[j] += tangent;
+            self.curved[i] += back * tangent;
         }
     }
 }

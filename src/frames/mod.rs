@@ -6,9 +6,7 @@ mod start;
 mod step;
 mod system;
 
-pub use energy::{
-    CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, strains,
-};
+pub use energy::{CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, strains};
 pub use shell::{Hinge, Shell};
 pub use start::{random_frames, spectral_frames};
 pub use step::{Method, StepOptions, Stepper};

@@ -59,7 +59,7 @@ impl Stepper {
         if options.method == Method::Gradient {
             let g = gradient(shell, options.stiffness, frames).curved;
             for ((frame, g), area) in frames.iter_mut().zip(&g).zip(&shell.face_areas) {
-                *frame = *frame - *g * (dt / area); // forward Euler for M λ' = −g
+                *frame -= *g * (dt / area); // forward Euler for M λ' = −g
             }
         }
         // The gauge needs unit frames; the step from frames of other lengths starts at their lengths instead of 1.

@@ -90,8 +90,7 @@ fn strain_terms(hinge: &Hinge, stiffness: Stiffness, dt: f64, frames: &[DQuat]) 
         quaternion::imaginary(normal.cross(edge)) * midframe,
     ];
     let back = gamma.conjugate();
-    let mut terms =
-        HingeTerms { at_i: DMat4::ZERO, at_j: DMat4::ZERO, across: DMat4::ZERO, pull: [DVec4::ZERO; 2] };
+    let mut terms = HingeTerms { at_i: DMat4::ZERO, at_j: DMat4::ZERO, across: DMat4::ZERO, pull: [DVec4::ZERO; 2] };
     for (axis, epsilon) in axes.into_iter().zip(stiffness) {
         add_spring(&mut terms, dt * hinge.weight * epsilon, DVec4::from(back * axis), DVec4::from(axis));
     }

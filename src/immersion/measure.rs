@@ -42,12 +42,7 @@ pub fn length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> Length
 
 /// Edges with rim bit 1 (Def. 4.1): frames in opposite hemispheres after transport.
 pub fn rims(shell: &Shell, frames: &[DQuat]) -> Vec<EdgeId> {
-    shell
-        .hinges
-        .iter()
-        .filter(|hinge| hinge.is_rim(frames))
-        .map(|hinge| hinge.edge)
-        .collect()
+    shell.hinges.iter().filter(|hinge| hinge.is_rim(frames)).map(|hinge| hinge.edge).collect()
 }
 
 /// q_f of a closed strip under a map given by vertex positions (Def. 2.3): true for figure-8.

@@ -2,13 +2,15 @@
 
 mod edge_vectors;
 mod measure;
-mod poisson;
 mod pins;
+mod poisson;
 mod polar;
 mod spin_of_immersion;
 
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
-pub use measure::{LengthError, bending_angles, is_figure_8, length_error, length_errors, mean_turn, pinch_points, rims};
+pub use measure::{
+    LengthError, bending_angles, is_figure_8, length_error, length_errors, mean_turn, pinch_points, rims,
+};
 pub use pins::{PinError, pins_from_scene};
 pub use poisson::Poisson;
 pub use polar::{frames_of_edge_vectors, frames_of_positions, rotation_part};

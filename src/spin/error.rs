@@ -12,6 +12,8 @@ pub enum SpinError {
     ClassLength { given: usize, generators: usize },
     #[error("class = \"immersion\" needs vertex positions; use a mesh that has them, or write the digits of the class")]
     NoPositions,
-    #[error("the given positions are no almost immersion: {pinch_points} vertex stars are figure-8; write the digits of the class")]
+    #[error(
+        "the given positions are no almost immersion: {pinch_points} vertex stars are figure-8; write the digits of the class"
+    )]
     NotAnImmersion { pinch_points: usize },
 }

@@ -80,7 +80,11 @@ impl Homology {
         left_over.sort_by(|a, b| (component(a.1)).cmp(&component(b.1)).then(a.0.total_cmp(&b.0)).then(a.1.cmp(&b.1)));
         let generators = left_over
             .into_iter()
-            .map(|(length, e)| Generator { strip: close_strip(mesh, &entries, e), path: close_path(mesh, &tree, e), length })
+            .map(|(length, e)| Generator {
+                strip: close_strip(mesh, &entries, e),
+                path: close_path(mesh, &tree, e),
+                length,
+            })
             .collect();
         Homology { generators, tree }
     }
@@ -113,9 +117,14 @@ fn dual_length(mesh: &Mesh, metric: &Metric, e: EdgeId) -> f64 {
 /// Dijkstra over faces from the first face of every component: per face the halfedge (inside the face)
 /// through which its shortest path enters, `None` at roots, and its distance.
 fn shortest_dual_paths(mesh: &Mesh, metric: &Metric) -> (Vec<Option<HalfedgeId>>, Vec<f64>) {
-    #[derive(PartialEq, PartialOrd)]
+    #[derive(PartialEq)]
     struct Key(f64, FaceId);
     impl Eq for Key {}
+    impl PartialOrd for Key {
+        fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+            Some(self.cmp(other))
+        }
+    }
     impl Ord for Key {
         fn cmp(&self, other: &Self) -> std::cmp::Ordering {
             self.0.total_cmp(&other.0).then(self.1.cmp(&other.1))

@@ -49,9 +49,8 @@ impl Random {
 /// The boundary of a row of cubes with `genus` square holes, triangulated, corners at integers.
 pub fn block_with_holes(genus: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let (nx, ny) = (2 * genus as i32 + 1, 3);
-    let solid = |x: i32, y: i32, z: i32| {
-        (0..nx).contains(&x) && (0..ny).contains(&y) && z == 0 && !(x % 2 == 1 && y == 1)
-    };
+    let solid =
+        |x: i32, y: i32, z: i32| (0..nx).contains(&x) && (0..ny).contains(&y) && z == 0 && !(x % 2 == 1 && y == 1);
     let mut index = HashMap::new();
     let mut positions = Vec::new();
     let mut faces = Vec::new();
