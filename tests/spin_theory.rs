@@ -200,6 +200,12 @@ fn classes_do_not_depend_on_the_metric() {
         let class = random_class(homology.betti(), &mut random);
         let spin = SpinStructure::of_class(&mesh, &before, &homology, &class).unwrap();
         let change = ChangeOfMetric::new(&mesh, &spin, &before, &after);
+        for e in mesh.interior_edges() {
+            let [h, twin] = mesh.edge_sides(e).unwrap();
+            let (tau, root) = (change.spin.across(&mesh, h), after.transport(h, twin));
+            let [square, r] = [tau * tau, root * root];
+            assert!((square.re - r.re).abs() < 1e-12 && (square.im - r.im).abs() < 1e-12, "τ² is not r at {e:?}");
+        }
         assert!(change.spin.figure_8_vertices(&mesh, &after).is_empty());
         assert_eq!(change.spin.class(&mesh, &after, &homology), class);
         for strip in (0..60).map(|_| random_strip(&mesh, &mut random)) {

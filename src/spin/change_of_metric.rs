@@ -36,10 +36,7 @@ impl ChangeOfMetric {
                 None => Complex::ONE,
                 Some([h, twin]) => {
                     let carried = Complex::from_angle(0.5 * (beta(twin) - beta(h))) * spin.across(mesh, h); // Eq. 32
-                    let turned = turns[twin.face().index()] * carried * turns[h.face().index()].conjugate();
-                    // The root of r of the new metric that this is, without the rounding of all the angles.
-                    let root = after.transport(h, twin);
-                    if turned.re * root.re + turned.im * root.im < 0.0 { -root } else { root }
+                    turns[twin.face().index()] * carried * turns[h.face().index()].conjugate()
                 }
             })
             .collect();
