@@ -6,7 +6,7 @@ use glam::DQuat;
 use immerse::frames::Shell;
 use immerse::immersion::{frames_of_positions, is_figure_8, pinch_points, spin_of_immersion};
 use immerse::mesh::VertexId;
-use immerse::spin::{Homology, SpinStructure, Strip};
+use immerse::spin::{ChangeOfMetric, Homology, SpinStructure, Strip};
 use std::collections::HashSet;
 use std::f64::consts::TAU;
 use support::{Random, random_metric, random_strip, surface};
@@ -186,4 +186,41 @@ fn pinched_map_has_no_spin_structure() {
     let error = spin_of_immersion(&mesh, &metric, &positions).unwrap_err();
     assert!(error.to_string().contains("no almost immersion"));
     assert!(mesh.vertices().any(|v| v == VertexId(0)));
+}
+
+/// App. B.2: carried to another metric, τ is a square root of the new connection and keeps q on every strip
+/// (Lemma B.2); the rims of a map are the same in both (Lemma B.3).
+#[test]
+fn classes_do_not_depend_on_the_metric() {
+    let mut random = Random::new(9);
+    for (genus, boundaries) in SURFACES {
+        let (mesh, _) = surface(genus, boundaries);
+        let [before, after] = [0, 1].map(|_| random_metric(&mesh, &mut random));
+        let homology = Homology::new(&mesh, &before);
+        let class = random_class(homology.betti(), &mut random);
+        let spin = SpinStructure::of_class(&mesh, &before, &homology, &class).unwrap();
+        let change = ChangeOfMetric::new(&mesh, &spin, &before, &after);
+        assert!(change.spin.figure_8_vertices(&mesh, &after).is_empty());
+        assert_eq!(change.spin.class(&mesh, &after, &homology), class);
+        for strip in (0..60).map(|_| random_strip(&mesh, &mut random)) {
+            assert_eq!(change.spin.is_figure_8(&mesh, &after, &strip), spin.is_figure_8(&mesh, &before, &strip));
+        }
+
+        // The frames of a map, of which Lemma B.3 is true: that proof needs ⟨λ_j, i τ λ_i⟩ = 0.
+        let positions: Vec<_> = (0..mesh.vertex_count()).map(|_| random.vector()).collect();
+        let identity = vec![DQuat::IDENTITY; mesh.face_count()];
+        let mut frames = frames_of_positions(&mesh, &before, &positions, &identity);
+        let rims = immerse::immersion::rims(&Shell::new(&mesh, &before, &spin, None), &frames);
+        change.carry(&mut frames);
+        let there = frames_of_positions(&mesh, &after, &positions, &frames);
+        assert_eq!(immerse::immersion::rims(&Shell::new(&mesh, &after, &change.spin, None), &there), rims);
+
+        // Polar frames of one map under both metrics are carried into each other when the metrics are close.
+        let near = before.edge_lengths().iter().map(|l| l * (1.0 + 1e-7 * random.unit())).collect();
+        let near = immerse::metric::Metric::new(&mesh, near).unwrap();
+        let mut carried = frames_of_positions(&mesh, &before, &positions, &identity);
+        ChangeOfMetric::new(&mesh, &spin, &before, &near).carry(&mut carried);
+        let there = frames_of_positions(&mesh, &near, &positions, &carried);
+        assert!(carried.iter().zip(&there).all(|(a, b)| (*a - *b).length() < 1e-3));
+    }
 }
