@@ -6,7 +6,7 @@ use crate::frames::{Shell, Stepper, energy, random_frames, spectral_frames};
 use crate::immersion::*;
 use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{self, Metric};
-use crate::scene::{BendingSection, Scene, StartSection};
+use crate::scene::{BendingSection, MetricSection, Scene, StartSection};
 use crate::spin::{Homology, SpinStructure, class_digits};
 use glam::{DQuat, DVec3};
 
@@ -32,6 +32,8 @@ pub struct Simulation {
     poisson: Poisson,
     periods: Periods,
     pins: Vec<(VertexId, DVec3)>,
+    /// The mesh's own positions where the metric is theirs: the surface is laid upon them.
+    reference: Option<Vec<DVec3>>,
     stepper: Stepper,
 }
 
@@ -63,7 +65,9 @@ impl Simulation {
     /// [`SetupError`] saying which part of the scene does not fit the surface.
     pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
         let metric = metric::from_scene(&scene.metric, &scene.folder, &surface)?;
+        let metric_is_of_positions = scene.metric == MetricSection::OfMesh && surface.edge_lengths.is_none();
         let Surface { mesh, positions, repairs, .. } = surface;
+        let reference = positions.clone().filter(|_| metric_is_of_positions);
         let positions = positions.as_deref();
         let homology = Homology::new(&mesh, &metric);
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
@@ -92,6 +96,7 @@ impl Simulation {
             poisson,
             periods,
             pins,
+            reference,
             stepper,
         })
     }
@@ -128,7 +133,23 @@ impl Simulation {
                 acceleration.correct(&before, &mut self.frames);
             }
         }
-        Ok(self.realize())
+        let mut positions = self.integrate();
+        self.align(&mut positions, steps.is_none());
+        Ok(self.realize(positions))
+    }
+
+    /// Takes away the rigid motion that random frames have left: the surface is laid upon the mesh's own positions
+    /// or, once it is `relaxed`, along its principal axes (on the way there these would swing about). Pins hold.
+    fn align(&mut self, positions: &mut [DVec3], relaxed: bool) {
+        let weights = self.metric.vertex_areas(&self.mesh);
+        let motion = match &self.reference {
+            _ if !self.pins.is_empty() => return,
+            Some(reference) => RigidMotion::onto(reference, positions, &weights),
+            None if relaxed => RigidMotion::to_principal_axes(positions, &weights),
+            None => return,
+        };
+        positions.iter_mut().for_each(|p| *p = motion.point(*p));
+        self.frames.iter_mut().for_each(|frame| *frame = motion.frame(*frame));
     }
 
     /// Goes on from frames and cursor of an earlier run of the same scene.
@@ -179,10 +200,9 @@ impl Simulation {
         self.poisson.solve(&self.mesh, &self.metric, &vectors, &self.pins)
     }
 
-    /// Positions, rims and measures of the frames as they are.
-    fn realize(&self) -> Frame {
+    /// Rims and measures of the frames as they are and the positions they integrate to.
+    fn realize(&self, positions: Vec<DVec3>) -> Frame {
         let Self { mesh, metric, shell, .. } = self;
-        let positions = self.integrate();
         let rims = rims(shell, &frames_of_positions(mesh, metric, &positions, &self.frames));
         let pinch_points = pinch_points(mesh, &positions);
         let error = length_error(mesh, metric, &positions);

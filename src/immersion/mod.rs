@@ -1,5 +1,6 @@
 //! Frames to positions and back, and what the result is worth.
 
+mod alignment;
 mod edge_vectors;
 mod measure;
 mod pins;
@@ -7,6 +8,7 @@ mod poisson;
 mod polar;
 mod spin_of_immersion;
 
+pub use alignment::RigidMotion;
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
 pub use measure::{
     LengthError, bending_angles, is_figure_8, length_error, length_errors, mean_turn, pinch_points, rims,

@@ -91,6 +91,15 @@ impl Metric {
     pub fn mean_face_area(&self) -> f64 {
         self.total_area() / self.face_areas.len() as f64
     }
+    /// A third of the area of the faces around each vertex, |V|; they sum to the total area.
+    pub fn vertex_areas(&self, mesh: &Mesh) -> Vec<f64> {
+        let mut areas = vec![0.0; mesh.vertex_count()];
+        for f in mesh.faces() {
+            mesh.corners(f).into_iter().for_each(|v| areas[v.index()] += self.area(f) / 3.0);
+        }
+        areas
+    }
+
     /// `z = φ(v)/ℓ` of a halfedge in its face's own coordinates (Eq. 14); 1 for the reference edge.
     #[inline]
     pub fn direction(&self, h: HalfedgeId) -> Complex {
