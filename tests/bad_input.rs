@@ -53,7 +53,7 @@ fn missing_mesh_file() {
 
 #[test]
 fn unknown_format() {
-    refuse(&[("mesh.3ds", "x")], "[mesh]\nfile = 'mesh.3ds'", &["mesh.3ds", "no known mesh format", ".obj, .ply"]);
+    refuse(&[("mesh.3ds", "x")], "[mesh]\nfile = 'mesh.3ds'", &["film.toml:2:8", "no mesh format that can be read", "`obj`, `ply`"]);
 }
 
 #[test]
