@@ -123,8 +123,22 @@ fn files_are_short_and_libraries_neither_print_nor_panic_nor_exit() {
         let lines = text.lines().count();
         assert!(lines <= 400, "{}: {lines} lines", path.display());
         for word in [
-            "TODO", "FIXME", "XXX", "todo!", "unimplemented!", "dbg!", "println!", "eprintln!", "print!(", "eprint!(",
-            ".unwrap()", ".expect(", "panic!(", "process::exit", "unsafe ", "#[cfg(test)]\nmod tests {",
+            "TODO",
+            "FIXME",
+            "XXX",
+            "todo!",
+            "unimplemented!",
+            "dbg!",
+            "println!",
+            "eprintln!",
+            "print!(",
+            "eprint!(",
+            ".unwrap()",
+            ".expect(",
+            "panic!(",
+            "process::exit",
+            "unsafe ",
+            "#[cfg(test)]\nmod tests {",
         ] {
             // Words of comments count for the first three only; `compile_fail` examples and doc tests may unwrap.
             let looked_at = if ["TODO", "FIXME", "XXX"].contains(&word) { text.clone() } else { code(&text) };
@@ -141,9 +155,21 @@ fn geometry_does_not_depend_on_the_c_library() {
             continue;
         }
         let text = code(&text);
-        for call in
-            [".sin(", ".cos(", ".tan(", ".exp(", ".ln(", ".powf(", ".acos(", ".asin(", ".atan(", ".atan2(", ".sin_cos(", ".hypot(", ".cbrt("]
-        {
+        for call in [
+            ".sin(",
+            ".cos(",
+            ".tan(",
+            ".exp(",
+            ".ln(",
+            ".powf(",
+            ".acos(",
+            ".asin(",
+            ".atan(",
+            ".atan2(",
+            ".sin_cos(",
+            ".hypot(",
+            ".cbrt(",
+        ] {
             assert!(!text.contains(call), "{}: contains {call:?}", path.display());
         }
     }

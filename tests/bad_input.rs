@@ -53,7 +53,11 @@ fn missing_mesh_file() {
 
 #[test]
 fn unknown_format() {
-    refuse(&[("mesh.3ds", "x")], "[mesh]\nfile = 'mesh.3ds'", &["film.toml:2:8", "no mesh format that can be read", "`obj`, `ply`"]);
+    refuse(
+        &[("mesh.3ds", "x")],
+        "[mesh]\nfile = 'mesh.3ds'",
+        &["film.toml:2:8", "no mesh format that can be read", "`obj`, `ply`"],
+    );
 }
 
 #[test]
@@ -219,7 +223,11 @@ fn pins() {
 
 #[test]
 fn unknown_keys() {
-    refuse(&[], "[mesh]\nshap = 'sphere'\n", &["film.toml:2:1", "there is no `shap` in [mesh]", "did you mean `shape`?"]);
+    refuse(
+        &[],
+        "[mesh]\nshap = 'sphere'\n",
+        &["film.toml:2:1", "there is no `shap` in [mesh]", "did you mean `shape`?"],
+    );
 }
 
 /// One triangle is a surface like any other, and comes out as that triangle.

@@ -126,8 +126,7 @@ impl State {
         let periods = Periods::new(&self.mesh, &self.metric, &homology, &poisson);
         let mut stepper = Stepper::new(&shell);
         let dt = if method == Method::Gradient { 0.01 } else { 3.0 };
-        let options =
-            StepOptions { method, stiffness: [1.0, 0.1, 0.8, 0.3], crease: 1.0, dt, solver_tolerance: 1e-14 };
+        let options = StepOptions { method, stiffness: [1.0, 0.1, 0.8, 0.3], crease: 1.0, dt, solver_tolerance: 1e-14 };
         let mut positions = Vec::new();
         for _ in 0..3 {
             assert!(stepper.advance(&shell, &options, &mut self.frames).converged);

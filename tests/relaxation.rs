@@ -22,7 +22,12 @@ fn relaxed(text: &str) -> (Simulation, Frame) {
 #[track_caller]
 fn assert_good(text: &str, (simulation, frame): &(Simulation, Frame), limit: f64) {
     let report = &frame.report;
-    eprintln!("{:.3} % in {} steps, {} rims: {text:?}", 100.0 * report.l2_length_error, report.cursor.steps, report.rims);
+    eprintln!(
+        "{:.3} % in {} steps, {} rims: {text:?}",
+        100.0 * report.l2_length_error,
+        report.cursor.steps,
+        report.rims
+    );
     assert!(report.l2_length_error <= limit, "{text}: {}", report.l2_length_error);
     assert_eq!((report.rims, report.pinch_points), (0, 0), "{text}");
     assert!(pinch_points(&simulation.mesh, &frame.positions).is_empty());
@@ -52,7 +57,9 @@ fn flat_tori_of_every_class() {
     for class in ["00", "01", "10", "11"] {
         let shape = "[mesh]\nshape = 'flat_torus'\ncolumns = 36\nrows = 30\na = [3, 0]\nb = [0, 2.5]";
         let text = format!("{shape}\n[spin]\nclass = '{class}'\n[start]\nrandom = 0");
-        assert_good(&text, &relaxed(&text), 0.02);
+        let result = relaxed(&text);
+        assert_good(&text, &result, 0.02);
+        assert_eq!(result.1.report.spin_class, class);
     }
 }
 
@@ -63,7 +70,9 @@ fn a_double_torus() {
         let text = format!(
             "[mesh]\nshape = 'polyhedron'\nname = 'genus_two'\nsubdivisions = 4\n[spin]\nclass = '{class}'\n[start]\nrandom = 0"
         );
-        assert_good(&text, &relaxed(&text), 0.02);
+        let result = relaxed(&text);
+        assert_good(&text, &result, 0.02);
+        assert_eq!(result.1.report.spin_class, class);
     }
 }
 
@@ -101,11 +110,11 @@ fn spectral_start_is_the_round_sphere() {
     let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
     let start = simulation.relax(Some(0), &mut Unobserved).expect("a frame");
     eprintln!("spectral start: {}", start.report.l2_length_error);
-    assert!(start.report.l2_length_error < 0.03, "{}", start.report.l2_length_error);
+    assert!(start.report.l2_length_error < 1e-3, "{}", start.report.l2_length_error);
     assert_eq!((start.report.rims, start.report.cursor.steps), (0, 0));
     let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
     assert!(frame.report.converged && frame.report.l2_length_error < 1e-3, "{:?}", frame.report);
-    assert!(frame.report.cursor.steps < 60, "{} steps", frame.report.cursor.steps);
+    assert!(frame.report.cursor.steps < 25, "{} steps", frame.report.cursor.steps);
 }
 
 /// The steps of Alg. 5 and 8 as printed and of Alg. 6 find the sphere too, at time steps that suit them.
