@@ -257,7 +257,7 @@ fn counts_that_the_file_cannot_hold_are_refused() {
 
 #[test]
 fn a_surface_that_is_none_names_the_lines() {
-    assert_refused("a.obj", "f 1 2 3\nf 3 4 4\n", &["face 1", "two of them equal", "; line 2"]);
+    assert_refused("a.obj", "f 1 2 3\nf 3 4 4\n", &["face 1", "two of them equal", "a.obj, line 2 "]);
     assert_refused("a.obj", "f 1 2 3\n\nf 3 2 1\n", &["faces [0, 1] have the same corners", "lines 1, 3"]);
     // Three quads in a ring, closed with a half turn.
     let moebius = "f 1 2 5 4\nf 2 3 6 5\nf 3 4 1 6\n";

@@ -35,7 +35,7 @@ pub enum MeshError {
     UnreferencedVertex { vertex: usize },
     #[error("{faces} faces and {vertices} vertices are too many, {limit} faces are the limit; use a coarser mesh")]
     TooLarge { faces: usize, vertices: usize, limit: usize },
-    #[error("{}: {error} (counting from 0{lines})", path.display())]
+    #[error("{}{lines} (faces and vertices counted from 0): {error}", path.display())]
     InFile { path: PathBuf, lines: String, error: Box<MeshError> },
     #[error("{}: {reason}; {remedy}", path.display())]
     File { path: PathBuf, reason: String, remedy: String },

@@ -2,12 +2,15 @@
 #![allow(dead_code)] // every test uses another part of this
 
 use glam::{DQuat, DVec3};
-use immerse::mesh::{FaceId, HalfedgeId, Mesh};
+use immerse::mesh::{FaceId, HalfedgeId, Mesh, Surface};
 use immerse::metric::Metric;
+use immerse::scene::Scene;
 use immerse::spin::Strip;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::collections::HashMap;
+use std::path::Path;
+use std::process::{Command, Output};
 
 pub struct Random(ChaCha8Rng);
 
@@ -175,4 +178,28 @@ pub fn distance_up_to_rigid_motion(a: &[DVec3], b: &[DVec3]) -> f64 {
             (DVec3::new(turned.x, turned.y, turned.z) - (*q - cb)).length()
         })
         .fold(0.0, f64::max)
+}
+
+/// A scene from its text.
+pub fn scene(text: &str) -> Scene {
+    Scene::parse(text, "test", Path::new(".")).expect("a valid scene")
+}
+
+/// A surface that is known by its positions.
+pub fn embedded(mesh: Mesh, positions: Vec<DVec3>) -> Surface {
+    Surface { mesh, positions: Some(positions), edge_lengths: None, repairs: Vec::new() }
+}
+
+/// Largest distance between two points of a set.
+pub fn diameter(points: &[DVec3]) -> f64 {
+    let far = |p: &DVec3| points.iter().map(|q| p.distance(*q)).fold(0.0, f64::max);
+    points.iter().map(far).fold(0.0, f64::max)
+}
+
+/// Runs the program in a folder: exit code, standard output, standard error.
+pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_immerse")).current_dir(folder).args(arguments).output();
+    let Output { status, stdout, stderr } = output.expect("the program starts");
+    let text = |bytes| String::from_utf8(bytes).expect("text");
+    (status.code().expect("an exit code"), text(stdout), text(stderr))
 }

@@ -46,8 +46,8 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
             error.faces().iter().filter_map(|&f| soup.lines.get(f)).map(|line| line.to_string()).collect();
         let lines = match lines.len() {
             0 => String::new(),
-            1 => format!("; line {}", lines[0]),
-            _ => format!("; lines {}", lines.join(", ")),
+            1 => format!(", line {}", lines[0]),
+            _ => format!(", lines {}", lines.join(", ")),
         };
         MeshError::InFile { path: path.into(), lines, error: Box::new(error) }
     })?;
