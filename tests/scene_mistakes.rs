@@ -31,7 +31,7 @@ fn one(marked: &str, reason: &str, remedy: &str) {
 fn unknown_names() {
     one("[^mash]\nshape = 'sphere'", "there is no `mash` in a scene", "did you mean `mesh`?");
     one("[camera]\n^feild_of_view = 3", "there is no `feild_of_view` in [camera]", "did you mean `field_of_view`?");
-    one("[clock]\n^xyzzy = 3", "there is no `xyzzy` in [clock]", "write `frames`");
+    one("[clock]\n^xyzzy = 3", "there is no `xyzzy` in [clock]", "the keys are `frames` and `steps_per_frame`");
     one("[mesh]\nshape = ^'spere'\nwhatever = 1", "there is no shape `spere`", "did you mean `sphere`?");
     one("[mesh]\nshape = 'sphere'\n^minor_radius = 2", "no `minor_radius` in [mesh]", "`radius` and `subdivisions`");
     one("[mesh]\nshape = 'flat_torus'\ngrid = ^'Squared'", "there is no grid `Squared`", "did you mean `square`?");
@@ -81,7 +81,7 @@ fn wrong_types() {
 fn wrong_lengths() {
     one("[output]\nsize = ^[640, 480, 3]", "`size` has 3 entries, it must have 2", "size = [1280,960]");
     one("[output]\nsize = ^[640]", "`size` has 1 entries, it must have 2", "size = [1280,960]");
-    one("[[phase]]\nepsilon = ^[1, 0, 1]", "`epsilon` has 3 entries, it must have 4", "epsilon = [1.0,0.0,1.0,0.1]");
+    one("[[phase]]\nepsilon = ^[1, 0, 1]", "`epsilon` has 3 entries, it must have 4", "epsilon = [1.0,0.0001,1.0,0.1]");
     one("[[pin]]\nvertices = [0]\npositions = [^[1, 2]]", "`positions[0]` has 2 entries, it must have 3", "");
     one(
         "[[pin]]\nvertices = [0]\npositions = ^[[1, 2, 3], [1, 2, 3]]",
