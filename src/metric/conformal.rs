@@ -14,6 +14,10 @@ const MAX_ITERATIONS: usize = 60;
 const SHORTEST_STEP: f64 = 1e-4;
 /// Part of the decrease that Newton promises which a step must reach.
 const SUFFICIENT_DECREASE: f64 = 1e-4;
+/// Picard steps after each Newton step.
+const MAX_CORRECTIONS: usize = 10;
+/// Decrease of the residual that makes a Picard step worth it.
+const CORRECTION_DECREASE: f64 = 0.8;
 /// Relative residual of each Newton step.
 const LINEAR_TOLERANCE: f64 = 1e-9;
 
@@ -104,13 +108,14 @@ impl Solution {
         let mut here = Iterate::new(triangulation, goal, zero.clone())?;
         let mut iterations = 0;
         while largest(&here.excess) > CURVATURE_TOLERANCE {
-            let step = here.newton_step(goal)?;
+            let inverse = LaplacianInverse::new(&here.triangulation, &here.shape, &goal.free, None)?;
+            let step = here.newton_step(goal, &inverse);
             let mut length = 1.0;
             let mut blocked = None;
             here = loop {
                 let u = here.u.iter().zip(&step).map(|(u, step)| u - length * step).collect();
                 let mut flipped = flips.as_ref().map(|flips| (*flips).clone());
-                match Iterate::after_flips(here.triangulation.clone(), goal, u, flipped.as_mut()) {
+                match Iterate::after_flips(here.triangulation.clone(), goal, u, flipped.as_mut()).map(|next| next.corrected(goal, &inverse)) {
                     Ok(next)
                         if norm(&next.excess) <= (1.0 - SUFFICIENT_DECREASE * length) * norm(&here.excess)
                             || largest(&next.excess) <= CURVATURE_TOLERANCE =>
@@ -169,16 +174,30 @@ impl Iterate {
         Iterate::new(triangulation, goal, u)
     }
 
-    /// The change of `u` to subtract.
-    fn newton_step(&self, goal: &Goal) -> Result<Vec<f64>, MetricError> {
+    /// The change of `u` to subtract; `inverse` is that of the Laplacian here.
+    fn newton_step(&self, goal: &Goal, inverse: &LaplacianInverse) -> Vec<f64> {
         let Iterate { triangulation, shape, excess, .. } = self;
-        let inverse = LaplacianInverse::new(triangulation, shape, &goal.free, None)?;
         let jacobian = |x: &[f64]| -> Vec<f64> {
             let target = goal.curvature_change(triangulation, shape, x);
             let curvature = triangulation.apply_laplacian(shape, x);
             (0..x.len()).map(|v| if goal.free[v] { curvature[v] - target[v] } else { 0.0 }).collect()
         };
-        Ok(solve_near_laplacian(&inverse, jacobian, excess, LINEAR_TOLERANCE))
+        solve_near_laplacian(inverse, jacobian, excess, LINEAR_TOLERANCE)
+    }
+
+    /// Picard steps, as long as they pay, with the Laplacian of the iterate before: it hardly depends on the metric
+    /// in a conformal class. On spheres, where Moebius transformations are all but solutions of the linear problem,
+    /// this brings a long Newton step back to metrics that differ by such a transformation.
+    fn corrected(mut self, goal: &Goal, inverse: &LaplacianInverse) -> Iterate {
+        for _ in 0..MAX_CORRECTIONS {
+            let change = inverse.apply(&self.excess);
+            let u = self.u.iter().zip(&change).map(|(u, c)| u - c).collect();
+            match Iterate::new(self.triangulation.clone(), goal, u) {
+                Ok(next) if norm(&next.excess) < CORRECTION_DECREASE * norm(&self.excess) => self = next,
+                _ => break,
+            }
+        }
+        self
     }
 
     fn not_converged(&self, iterations: usize, blocked: Option<(usize, [u32; 3])>) -> MetricError {
