@@ -115,7 +115,9 @@ impl Solution {
             here = loop {
                 let u = here.u.iter().zip(&step).map(|(u, step)| u - length * step).collect();
                 let mut flipped = flips.as_ref().map(|flips| (*flips).clone());
-                match Iterate::after_flips(here.triangulation.clone(), goal, u, flipped.as_mut()).map(|next| next.corrected(goal, &inverse)) {
+                match Iterate::after_flips(here.triangulation.clone(), goal, u, flipped.as_mut())
+                    .map(|next| next.corrected(goal, &inverse))
+                {
                     Ok(next)
                         if norm(&next.excess) <= (1.0 - SUFFICIENT_DECREASE * length) * norm(&here.excess)
                             || largest(&next.excess) <= CURVATURE_TOLERANCE =>
@@ -135,7 +137,6 @@ impl Solution {
                 }
             };
             iterations += 1;
-            if std::env::var("DBG").is_ok() { println!("  {iterations}: t {length} {:e} {:e} step {:e} flips {:?}", norm(&here.excess), largest(&here.excess), largest(&step), flips.as_ref().map(|f| f.len())); }
             if iterations == MAX_ITERATIONS {
                 return Err(here.not_converged(iterations, None));
             }

@@ -116,7 +116,8 @@ impl Goal {
                 return Err(MetricError::TargetCount { vertices, values: values.len() });
             }
             let limit = if boundary { PI } else { TAU };
-            let bad = (0..vertices).find(|&v| on_boundary[v] == boundary && !(values[v].is_finite() && values[v] < limit));
+            let bad =
+                (0..vertices).find(|&v| on_boundary[v] == boundary && !(values[v].is_finite() && values[v] < limit));
             match bad {
                 Some(vertex) => Err(MetricError::TargetCurvature { vertex, value: values[vertex], limit }),
                 None => Ok(()),
@@ -186,6 +187,13 @@ impl Goal {
                 _ => density * shape.areas[v],
             })
             .collect()
+    }
+
+    /// Replaces positive curvature in proportion to area by that of the shape at the end.
+    pub fn settle_positive(&mut self, end: &Triangulation, shape: &Shape) {
+        if self.density(end, shape) > 0.0 {
+            self.interior = Interior::PerVertex(shape.curvature.clone());
+        }
     }
 
     /// Derivative of [`Goal::curvature`] of the free vertices in the direction `x`, 0 for the others.

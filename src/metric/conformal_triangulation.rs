@@ -108,9 +108,9 @@ impl Triangulation {
                 shape.areas[corners[k] as usize] += area / 3.0;
             }
             // cot θ_k = (next² + previous² − opposite²) / 4A.
-            shape.cotangents.push([0, 1, 2].map(|k| {
-                (squares[k] + squares[(k + 2) % 3] - squares[(k + 1) % 3]) / (4.0 * area)
-            }));
+            shape
+                .cotangents
+                .push([0, 1, 2].map(|k| (squares[k] + squares[(k + 2) % 3] - squares[(k + 1) % 3]) / (4.0 * area)));
             shape.squares.push(squares);
         }
         if count > 0 {

@@ -41,8 +41,9 @@ pub enum MetricError {
     )]
     NotConverged { iterations: usize, residual: f64, face: usize, vertices: [u32; 3] },
     #[error(
-        "the conformal metric exists, but not on this mesh: the edge {edge} between vertices {vertices:?} would have to \
-         bend around a vertex; refine the mesh there, or make its triangles Delaunay"
+        "the conformal metric was found with edge flips, but could not be brought back to this mesh: the edge {edge} \
+         between vertices {vertices:?} would have to bend around another vertex; refine the mesh there, or make its \
+         triangles Delaunay"
     )]
     NotStraight { edge: usize, vertices: [u32; 2] },
     #[error("no Delaunay triangulation was reached in {flips} edge flips; the lengths are too far apart in size")]

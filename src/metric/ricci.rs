@@ -1,5 +1,6 @@
 //! Ricci flow as discrete conformal scaling, integrated in time.
 
+use super::conformal::{Conformal, uniformize};
 use super::conformal_linear::LaplacianInverse;
 use super::conformal_target::{CurvatureTarget, Goal};
 use super::conformal_triangulation::{Shape, Triangulation};
@@ -7,21 +8,26 @@ use super::{Metric, MetricError};
 use crate::mesh::Mesh;
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-/// Estimated error of the log scale factors that a step may make.
-const STEP_TOLERANCE: f64 = 1e-4;
+/// Estimated error of the log scale factors that a step may make. The estimate is that of a method of order one,
+/// the result of order two is better.
+const STEP_TOLERANCE: f64 = 1e-3;
 /// Steps shorter than this mean that a triangle is about to degenerate.
 const SHORTEST_STEP: f64 = 1e-8;
 const FIRST_STEP: f64 = 1e-4;
+const LONGEST_STEP: f64 = 0.25;
 /// Makes the two-stage Rosenbrock method L-stable.
 const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
 
 /// The flow `dg/dt = (K̂ − K) g` of Eq. 22 (there for target curvature K̂ = 0), on a mesh of fixed connectivity.
 ///
-/// Discretely `du_i/dt = (K̂_i − K_i) / 2A_i` for the log scale factors `u`, with the vertex areas of the metric
-/// at that time, so that the speed does not depend on the mesh (Luo 2004 has the flow without areas). Time is in
-/// units of `area/4π`, the squared radius of the round sphere of that area, so that it does not depend on the scale
-/// either; what remains of the initial curvature falls off exponentially, to 1 % by `t = 5` or so. The flow keeps
-/// the area or, where the target decrees another one, changes it as `area = goal (start/goal)^exp(−t)`.
+/// Discretely `du_i/dt = (K̂_i − K_i) / 2A_i` for the log scale factors `u` of discrete conformal equivalence, with
+/// the vertex areas of the metric at that time, so that the speed does not depend on the mesh (the flow of Luo 2004
+/// has no areas). Time is in units of `area/4π`, the squared radius of the round sphere of that area, so that it does
+/// not depend on the scale either. The distance from the limit falls off exponentially, to about 1 % at `t = 5`.
+///
+/// Curvature in proportion to area moves with the areas during the flow. Only where it is positive `K̂_i` is that of
+/// the limit at all times: spheres, which have many round metrics in one conformal class, would drift among them.
+/// The flow keeps the area or, where the target decrees another, changes it as `goal (start/goal)^exp(−t)`.
 ///
 /// Integrated by a linearly implicit method of order two whose matrix is the cotangent Laplacian (ROS2: Verwer,
 /// Spee, Blom and Hundsdorfer 1999) in steps chosen by its error. Between steps `u` is interpolated, so the metric
@@ -30,9 +36,13 @@ const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
 pub struct RicciFlow {
     triangulation: Triangulation,
     goal: Goal,
+    limit: Conformal,
     initial_area: f64,
-    last: State,
-    next: State,
+    /// Where the last step ended.
+    state: State,
+    /// The last step; none at time 0.
+    last: Option<Step>,
+    /// Length of the next step.
     step: f64,
 }
 
@@ -45,24 +55,35 @@ struct State {
     speed: Vec<f64>,
 }
 
+/// A step of the integrator, with the two stages that tell what happened during it.
+#[derive(Clone, Debug)]
+struct Step {
+    start: f64,
+    length: f64,
+    u: Vec<f64>,
+    stages: [Vec<f64>; 2],
+}
+
 impl RicciFlow {
-    /// Starts at the metric of the given lengths (|E|).
+    /// Starts at the metric of the given lengths (|E|), and finds the limit.
     ///
     /// # Errors
-    /// What [`Metric::new`] refuses about lengths and [`super::uniformize`] about targets.
+    /// What [`uniformize`] refuses.
     pub fn new(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<RicciFlow, MetricError> {
+        let limit = uniformize(mesh, edge_lengths, target)?;
         let metric = Metric::new(mesh, edge_lengths.to_vec())?;
-        let goal = Goal::new(target, mesh, &metric)?;
+        let mut goal = Goal::new(target, mesh, &metric)?;
+        let end = Triangulation::new(mesh, &limit.edge_lengths);
+        goal.settle_positive(&end, &end.shape(&vec![0.0; mesh.vertex_count()])?);
         let triangulation = Triangulation::new(mesh, edge_lengths);
         let state = state(&triangulation, &goal, 0.0, vec![0.0; mesh.vertex_count()])?;
-        Ok(RicciFlow {
-            triangulation,
-            goal,
-            initial_area: metric.total_area(),
-            last: state.clone(),
-            next: state,
-            step: FIRST_STEP,
-        })
+        let initial_area = metric.total_area();
+        Ok(RicciFlow { triangulation, goal, limit, initial_area, state, last: None, step: FIRST_STEP })
+    }
+
+    /// The metric that the flow tends to, with curvature as exact as that of [`uniformize`].
+    pub fn limit(&self) -> &Conformal {
+        &self.limit
     }
 
     /// The edge lengths (|E|) at a time of at least 0.
@@ -85,14 +106,17 @@ impl RicciFlow {
         if !(time.is_finite() && time >= 0.0) {
             return Err(MetricError::FlowTime { time });
         }
-        if time < self.last.time {
-            let start = state(&self.triangulation, &self.goal, 0.0, vec![0.0; self.last.u.len()])?;
-            (self.last, self.next, self.step) = (start.clone(), start, FIRST_STEP);
+        if self.last.as_ref().is_some_and(|step| time < step.start) {
+            self.state = state(&self.triangulation, &self.goal, 0.0, vec![0.0; self.state.u.len()])?;
+            (self.last, self.step) = (None, FIRST_STEP);
         }
-        while self.next.time < time {
+        while self.state.time < time {
             self.advance()?;
         }
-        let mut u = interpolate(&self.last, &self.next, time);
+        let mut u = match &self.last {
+            Some(step) if time < self.state.time => step.after((time - step.start) / step.length),
+            _ => self.state.u.clone(),
+        };
         self.goal.fix_scale(&self.triangulation, &mut u, self.initial_area, time)?;
         Ok(u)
     }
@@ -101,11 +125,11 @@ impl RicciFlow {
     fn advance(&mut self) -> Result<(), MetricError> {
         loop {
             let blocked = match self.try_step() {
-                Ok((next, error)) => {
+                Ok((step, next, error)) => {
                     let change = (0.9 * (STEP_TOLERANCE / error).sqrt()).clamp(0.2, 4.0);
-                    self.step *= change;
+                    self.step = (self.step * change).min(LONGEST_STEP);
                     if error <= STEP_TOLERANCE {
-                        self.last = std::mem::replace(&mut self.next, next);
+                        (self.last, self.state) = (Some(step), next);
                         return Ok(());
                     }
                     None
@@ -119,16 +143,16 @@ impl RicciFlow {
             if self.step < SHORTEST_STEP {
                 let (face, vertices) = match blocked {
                     Some(MetricError::TriangleInequality { face, vertices, .. }) => (face, vertices),
-                    _ => self.triangulation.thinnest_face(&self.next.shape),
+                    _ => self.triangulation.thinnest_face(&self.state.shape),
                 };
-                return Err(MetricError::FlowBlocked { time: self.next.time, face, vertices });
+                return Err(MetricError::FlowBlocked { time: self.state.time, face, vertices });
             }
         }
     }
 
-    /// The state one step later, and an estimate of the largest error in it.
-    fn try_step(&self) -> Result<(State, f64), MetricError> {
-        let (from, h) = (&self.next, self.step);
+    /// One step, the state after it, and an estimate of the largest error in that.
+    fn try_step(&self) -> Result<(Step, State, f64), MetricError> {
+        let (from, h) = (&self.state, self.step);
         // (I + γ h J) k = r with J = A⁻¹ (½ area/4π) L, multiplied by what stands before L. Negative target
         // densities c add −2cA, the derivative of the target by the areas in the limit of fine meshes.
         let pace = pace(&from.shape);
@@ -136,15 +160,26 @@ impl RicciFlow {
         let density = self.goal.density(&self.triangulation, &from.shape).min(0.0);
         let diagonal: Vec<f64> = from.shape.areas.iter().zip(&mass).map(|(a, m)| m - 2.0 * density * a).collect();
         let inverse = LaplacianInverse::new(&self.triangulation, &from.shape, &self.goal.free, Some(&diagonal))?;
-        let solve = |r: Vec<f64>| inverse.apply(&r.iter().zip(&mass).map(|(r, m)| r * m).collect::<Vec<_>>());
+        let solve = |r: &[f64]| inverse.apply(&r.iter().zip(&mass).map(|(r, m)| r * m).collect::<Vec<_>>());
 
-        let first = solve(from.speed.clone());
-        let middle: Vec<f64> = from.u.iter().zip(&first).map(|(u, k)| u + h * k).collect();
+        let first = solve(&from.speed);
+        let middle = from.u.iter().zip(&first).map(|(u, k)| u + h * k).collect();
         let middle = state(&self.triangulation, &self.goal, from.time + h, middle)?;
-        let second = solve(middle.speed.iter().zip(&first).map(|(f, k)| f - 2.0 * k).collect());
-        let u = (0..first.len()).map(|v| from.u[v] + h * (1.5 * first[v] + 0.5 * second[v])).collect();
+        let second = solve(&middle.speed.iter().zip(&first).map(|(f, k)| f - 2.0 * k).collect::<Vec<_>>());
         let error = first.iter().zip(&second).map(|(a, b)| (0.5 * h * (a + b)).abs()).fold(0.0, f64::max);
-        Ok((state(&self.triangulation, &self.goal, from.time + h, u)?, error))
+        let step = Step { start: from.time, length: h, u: from.u.clone(), stages: [first, second] };
+        let next = state(&self.triangulation, &self.goal, from.time + h, step.after(1.0))?;
+        Ok((step, next, error))
+    }
+}
+
+impl Step {
+    /// The scale factors after a part of the step, of order two like its end, and as insensitive to stiffness.
+    fn after(&self, part: f64) -> Vec<f64> {
+        let [first, second] = &self.stages;
+        let b = (0.5 * part * part - GAMMA * part) / (1.0 - 2.0 * GAMMA);
+        let (a, b) = (self.length * (part + b), self.length * b);
+        (0..self.u.len()).map(|v| self.u[v] + a * first[v] + b * second[v]).collect()
     }
 }
 
@@ -159,21 +194,4 @@ fn state(triangulation: &Triangulation, goal: &Goal, time: f64, u: Vec<f64>) -> 
 /// Half the unit of time.
 fn pace(shape: &Shape) -> f64 {
     0.5 * shape.areas.iter().sum::<f64>() / (4.0 * PI)
-}
-
-/// Cubic through both states with their speeds.
-fn interpolate(a: &State, b: &State, time: f64) -> Vec<f64> {
-    let h = b.time - a.time;
-    if h == 0.0 {
-        return b.u.clone();
-    }
-    let s = (time - a.time) / h;
-    let r = 1.0 - s;
-    (0..a.u.len())
-        .map(|v| {
-            r * r * (1.0 + 2.0 * s) * a.u[v]
-                + s * s * (1.0 + 2.0 * r) * b.u[v]
-                + s * r * h * (r * a.speed[v] - s * b.speed[v])
-        })
-        .collect()
 }
