@@ -26,7 +26,8 @@ impl Triangulation {
     ///
     /// Ptolemy's relation gives the lengths of new edges, so that the decorated ideal hyperbolic surface, and
     /// with it the discrete conformal class, stays what it is (Gu, Luo, Sun and Wu 2018; Springborn 2020; Gillespie,
-    /// Springborn and Crane 2021). Triangle inequalities may fail before; they hold afterwards.
+    /// Springborn and Crane 2021). Triangle inequalities may fail before; afterwards they hold, except
+    /// at the boundary, whose edges do not flip.
     pub fn flip_to_delaunay(&mut self, u: &[f64], log: &mut Vec<u32>) -> Result<(), MetricError> {
         let limit = log.len() + FLIPS_PER_EDGE * self.sides.len();
         self.flip_while_not_delaunay(u, log, limit, |triangulation, e, diamond| {

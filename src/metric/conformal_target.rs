@@ -159,10 +159,13 @@ impl Goal {
                 Interior::PerVertex(values.clone())
             }
             InteriorCurvature::Constant => Interior::Total(total),
+            InteriorCurvature::Density(density) if !density.is_finite() => {
+                return Err(MetricError::TargetDensity { density: *density });
+            }
             InteriorCurvature::Density(density) if held => Interior::Density(*density),
             InteriorCurvature::Density(density) => {
                 // Any area does for a flat metric; otherwise the total, of the right sign, decides it.
-                if *density == 0.0 || density * total <= 0.0 || !density.is_finite() {
+                if density * total <= 0.0 {
                     gauss_bonnet(density * metric.total_area())?;
                 } else {
                     goal.scale = Scale::Area(total / density);
@@ -223,8 +226,9 @@ impl Goal {
             Interior::PerVertex(_) => 0.0,
             Interior::Density(density) => density,
             Interior::Total(total) => {
-                let boundary = &triangulation.on_boundary;
-                total / shape.areas.iter().zip(boundary).filter(|(_, b)| !**b).map(|(a, _)| a).sum::<f64>()
+                let inside = shape.areas.iter().zip(&triangulation.on_boundary).filter(|(_, boundary)| !**boundary);
+                let area: f64 = inside.map(|(area, _)| area).sum();
+                if area > 0.0 { total / area } else { 0.0 }
             }
         }
     }

@@ -27,6 +27,8 @@ pub enum MetricError {
          which a vertex without any angle would have"
     )]
     TargetCurvature { vertex: usize, value: f64, limit: f64 },
+    #[error("the target curvature per area is {density}; it must be finite")]
+    TargetDensity { density: f64 },
     #[error(
         "the target curvatures break Gauss-Bonnet: they add up to {sum} radians instead of 2 pi chi = {expected}, \
          which is {excess:e} too much; spread the difference over the vertices"

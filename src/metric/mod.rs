@@ -4,6 +4,8 @@ mod conformal;
 mod conformal_flips;
 mod conformal_linear;
 mod conformal_target;
+#[cfg(test)]
+mod conformal_tests;
 mod conformal_triangulation;
 mod error;
 mod from_scene;

@@ -106,6 +106,9 @@ impl RicciFlow {
         if !(time.is_finite() && time >= 0.0) {
             return Err(MetricError::FlowTime { time });
         }
+        if time == 0.0 {
+            return Ok(vec![0.0; self.state.u.len()]);
+        }
         if self.last.as_ref().is_some_and(|step| time < step.start) {
             self.state = state(&self.triangulation, &self.goal, 0.0, vec![0.0; self.state.u.len()])?;
             (self.last, self.step) = (None, FIRST_STEP);
