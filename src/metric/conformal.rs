@@ -8,7 +8,7 @@ use crate::mesh::Mesh;
 
 /// [`uniformize`] brings every vertex within this many radians of its target curvature.
 pub const CURVATURE_TOLERANCE: f64 = 1e-11;
-/// Newton converges in about ten steps or not at all.
+/// Newton converges in about ten steps or hardly at all.
 const MAX_ITERATIONS: usize = 60;
 /// Step lengths below this mean that Newton is stuck.
 const SHORTEST_STEP: f64 = 1e-4;
@@ -31,6 +31,8 @@ pub struct Conformal {
     pub edge_lengths: Vec<f64>,
     /// Newton steps taken.
     pub iterations: usize,
+    /// Picard steps taken after Newton steps, with the same factorization.
+    pub corrections: usize,
     /// Intrinsic edge flips on the way; 0 if the mesh could be kept.
     pub flips: usize,
     /// Largest distance of the curvature of a vertex from its target, in radians.
@@ -40,50 +42,37 @@ pub struct Conformal {
 /// Finds the metric with the target curvature in the discrete conformal class of the given lengths (|E|).
 ///
 /// Discrete conformal equivalence is that of Luo 2004 and of Springborn, Schröder and Pinkall 2008. Newton's method
-/// solves `K(u) = K̂(u)`, the Jacobian the cotangent Laplacian minus the exact derivative of target curvature by
-/// vertex areas, so that curvature in proportion to area is reached to [`CURVATURE_TOLERANCE`] on the final
-/// areas. Steps are cut until the triangle inequalities hold and the residual decreases. If no step is short enough,
-/// the problem is solved again with flips, which always has a solution (Gu, Luo, Sun and Wu 2018), and the result is
-/// brought back to the edges of the mesh.
+/// solves `K(u) = K̂(u)`. Its Jacobian is the cotangent Laplacian, the second derivative of the convex energy of these
+/// papers, minus the exact derivative of the target by the vertex areas, so that curvature in proportion to area is
+/// reached on the final areas. Steps are cut until the triangle inequalities hold and the residual decreases.
+///
+/// If no step is short enough, the problem is solved again on intrinsic Delaunay triangulations that follow the metric
+/// by flips. There every target on a closed surface has a solution (Gu, Luo, Sun and Wu 2018; with target curvature
+/// in proportion to area, Kouřimská 2021). It is then expressed by the edges of the mesh, where they can be straight.
 ///
 /// # Errors
 /// What [`Metric::new`] refuses; [`MetricError::TargetCount`], [`MetricError::TargetCurvature`],
-/// [`MetricError::GaussBonnet`] and [`MetricError::Disconnected`] for targets that cannot be;
-/// [`MetricError::NotConverged`], and [`MetricError::NotStraight`] where the solution is no metric on this mesh.
+/// [`MetricError::TargetDensity`], [`MetricError::GaussBonnet`] and [`MetricError::Disconnected`] for targets that
+/// cannot be; [`MetricError::NotConverged`], and [`MetricError::NotStraight`] where the solution is no metric on
+/// this mesh.
 pub fn uniformize(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<Conformal, MetricError> {
     let metric = Metric::new(mesh, edge_lengths.to_vec())?;
     let goal = Goal::new(target, mesh, &metric)?;
-    let mesh_triangulation = Triangulation::new(mesh, edge_lengths);
-    let mut solution = match Solution::find(mesh_triangulation.clone(), &goal, None) {
-        Ok(solution) => solution,
-        Err(MetricError::NotConverged { .. }) => solve_with_flips(mesh_triangulation, &goal)?,
-        Err(other) => return Err(other),
+    let triangulation = Triangulation::new(mesh, edge_lengths);
+    let mut found = match solve(triangulation.clone(), None, &goal) {
+        Err(MetricError::NotConverged { .. }) => solve_with_flips(triangulation, &goal)?,
+        result => result?,
     };
-    goal.fix_scale(&solution.triangulation, &mut solution.u, metric.total_area(), f64::INFINITY)?;
-    let edge_lengths = solution.triangulation.scaled_lengths(&solution.u);
-    let log_scale = solution.u.iter().zip(&solution.earlier).map(|(u, earlier)| u + earlier).collect();
+    let scale = goal.scale_shift(&found.triangulation, &found.u, metric.total_area(), f64::INFINITY)?;
+    found.u.iter_mut().for_each(|u| *u += scale);
     Ok(Conformal {
-        log_scale,
-        edge_lengths,
-        iterations: solution.iterations,
-        flips: solution.flips,
-        residual: solution.residual,
+        edge_lengths: found.triangulation.scaled_lengths(&found.u),
+        log_scale: found.u.iter().zip(&found.earlier).map(|(u, earlier)| u + earlier).collect(),
+        iterations: found.iterations,
+        corrections: found.corrections,
+        flips: found.flips,
+        residual: found.residual,
     })
-}
-
-/// Solves on Delaunay triangulations that change with the metric, takes the flips back, and solves once more on the
-/// mesh, whose vertex areas differ from those of the Delaunay triangulation.
-fn solve_with_flips(mut triangulation: Triangulation, goal: &Goal) -> Result<Solution, MetricError> {
-    let mut flips = Vec::new();
-    triangulation.flip_to_intrinsic_delaunay(&mut flips)?;
-    let mut flipped = Solution::find(triangulation, goal, Some(&mut flips))?;
-    flipped.triangulation.lengths = flipped.triangulation.scaled_lengths(&flipped.u);
-    flipped.triangulation.unflip(&flips)?;
-    let mut last = Solution::find(flipped.triangulation, goal, None)?;
-    last.iterations += flipped.iterations;
-    last.flips = flips.len();
-    last.earlier = flipped.u;
-    Ok(last)
 }
 
 /// Where Newton's method ended.
@@ -93,62 +82,74 @@ struct Solution {
     /// What `u` adds to.
     earlier: Vec<f64>,
     iterations: usize,
+    corrections: usize,
     flips: usize,
     residual: f64,
 }
 
-impl Solution {
-    /// Newton's method from `u = 0`; with `flips` given, on Delaunay triangulations, flips appended.
-    fn find(
-        triangulation: Triangulation,
-        goal: &Goal,
-        mut flips: Option<&mut Vec<u32>>,
-    ) -> Result<Solution, MetricError> {
-        let zero = vec![0.0; triangulation.vertex_count()];
-        let mut here = Iterate::new(triangulation, goal, zero.clone())?;
-        let mut iterations = 0;
-        while largest(&here.excess) > CURVATURE_TOLERANCE {
-            let inverse = LaplacianInverse::new(&here.triangulation, &here.shape, &goal.free, None)?;
-            let step = here.newton_step(goal, &inverse);
-            let mut length = 1.0;
-            let mut blocked = None;
-            here = loop {
-                let u = here.u.iter().zip(&step).map(|(u, step)| u - length * step).collect();
-                let mut flipped = flips.as_ref().map(|flips| (*flips).clone());
-                match Iterate::after_flips(here.triangulation.clone(), goal, u, flipped.as_mut())
-                    .map(|next| next.corrected(goal, &inverse))
-                {
-                    Ok(next)
-                        if norm(&next.excess) <= (1.0 - SUFFICIENT_DECREASE * length) * norm(&here.excess)
-                            || largest(&next.excess) <= CURVATURE_TOLERANCE =>
-                    {
-                        if let (Some(flips), Some(flipped)) = (flips.as_mut(), flipped) {
-                            **flips = flipped;
-                        }
-                        break next;
-                    }
-                    Ok(_) => {}
-                    Err(MetricError::TriangleInequality { face, vertices, .. }) => blocked = Some((face, vertices)),
-                    Err(other) => return Err(other),
-                }
-                length *= 0.5;
-                if length < SHORTEST_STEP {
-                    return Err(here.not_converged(iterations, blocked));
-                }
-            };
-            iterations += 1;
-            if iterations == MAX_ITERATIONS {
-                return Err(here.not_converged(iterations, None));
-            }
-        }
-        let residual = largest(&here.excess);
-        let Iterate { triangulation, u, .. } = here;
-        Ok(Solution { triangulation, u, earlier: zero, iterations, flips: 0, residual })
-    }
+/// Solves on Delaunay triangulations that change with the metric, takes the flips back, and solves once more on the
+/// mesh, whose vertex areas differ from those of the Delaunay triangulation.
+fn solve_with_flips(mut triangulation: Triangulation, goal: &Goal) -> Result<Solution, MetricError> {
+    let mut log = Vec::new();
+    triangulation.flip_to_intrinsic_delaunay(&mut log)?;
+    let Solution { mut triangulation, u, iterations, corrections, .. } = solve(triangulation, Some(&mut log), goal)?;
+    triangulation.lengths = triangulation.scaled_lengths(&u);
+    triangulation.unflip(&log)?;
+    let mut last = solve(triangulation, None, goal)?;
+    last.iterations += iterations;
+    last.corrections += corrections;
+    last.flips = log.len();
+    last.earlier = u;
+    Ok(last)
 }
 
+/// Newton's method from `u = 0`. With a log of flips, on Delaunay triangulations, and the log is continued.
+fn solve(triangulation: Triangulation, log: Option<&mut Vec<u32>>, goal: &Goal) -> Result<Solution, MetricError> {
+    let zero = vec![0.0; triangulation.vertex_count()];
+    let mut here = Iterate::new(triangulation, log.as_ref().map(|log| (*log).clone()), zero.clone(), goal)?;
+    let (mut iterations, mut corrections) = (0, 0);
+    while here.residual() > CURVATURE_TOLERANCE {
+        if iterations == MAX_ITERATIONS {
+            return Err(here.not_converged(iterations, None));
+        }
+        let inverse = LaplacianInverse::new(&here.triangulation, &here.shape, &goal.free, None)?;
+        let step = here.newton_step(goal, &inverse);
+        let mut length = 1.0;
+        let mut blocked = None;
+        here = loop {
+            let u = here.u.iter().zip(&step).map(|(u, step)| u - length * step).collect();
+            match Iterate::new(here.triangulation.clone(), here.flips.clone(), u, goal) {
+                Ok(next) => {
+                    let (next, taken) = next.corrected(goal, &inverse)?;
+                    let decrease = norm(&next.excess) / norm(&here.excess);
+                    if decrease <= 1.0 - SUFFICIENT_DECREASE * length || next.residual() <= CURVATURE_TOLERANCE {
+                        corrections += taken;
+                        break next;
+                    }
+                }
+                Err(MetricError::TriangleInequality { face, vertices, .. }) => blocked = Some((face, vertices)),
+                Err(other) => return Err(other),
+            }
+            length *= 0.5;
+            if length < SHORTEST_STEP {
+                return Err(here.not_converged(iterations, blocked));
+            }
+        };
+        iterations += 1;
+    }
+    let residual = here.residual();
+    let Iterate { triangulation, u, flips, .. } = here;
+    if let (Some(log), Some(flips)) = (log, flips) {
+        *log = flips;
+    }
+    Ok(Solution { triangulation, u, earlier: zero, iterations, corrections, flips: 0, residual })
+}
+
+/// Scale factors and what they imply.
 struct Iterate {
     triangulation: Triangulation,
+    /// Edges flipped so far; `None` if none may be.
+    flips: Option<Vec<u32>>,
     u: Vec<f64>,
     shape: Shape,
     /// Curvature minus target, 0 where the vertex is held.
@@ -156,23 +157,23 @@ struct Iterate {
 }
 
 impl Iterate {
-    fn new(triangulation: Triangulation, goal: &Goal, u: Vec<f64>) -> Result<Iterate, MetricError> {
+    fn new(
+        mut triangulation: Triangulation,
+        mut flips: Option<Vec<u32>>,
+        u: Vec<f64>,
+        goal: &Goal,
+    ) -> Result<Iterate, MetricError> {
+        if let Some(flips) = &mut flips {
+            triangulation.flip_to_delaunay(&u, flips)?;
+        }
         let shape = triangulation.shape(&u)?;
         let target = goal.curvature(&triangulation, &shape);
         let excess = shape.curvature.iter().zip(&target).map(|(curvature, target)| curvature - target).collect();
-        Ok(Iterate { triangulation, u, shape, excess })
+        Ok(Iterate { triangulation, flips, u, shape, excess })
     }
 
-    fn after_flips(
-        mut triangulation: Triangulation,
-        goal: &Goal,
-        u: Vec<f64>,
-        flips: Option<&mut Vec<u32>>,
-    ) -> Result<Iterate, MetricError> {
-        if let Some(flips) = flips {
-            triangulation.flip_to_delaunay(&u, flips)?;
-        }
-        Iterate::new(triangulation, goal, u)
+    fn residual(&self) -> f64 {
+        self.excess.iter().fold(0.0, |most, excess| excess.abs().max(most))
     }
 
     /// The change of `u` to subtract; `inverse` is that of the Laplacian here.
@@ -188,25 +189,26 @@ impl Iterate {
 
     /// Picard steps, as long as they pay, with the Laplacian of the iterate before: it hardly depends on the metric
     /// in a conformal class. On spheres, where Moebius transformations are all but solutions of the linear problem,
-    /// this brings a long Newton step back to metrics that differ by such a transformation.
-    fn corrected(mut self, goal: &Goal, inverse: &LaplacianInverse) -> Iterate {
-        for _ in 0..MAX_CORRECTIONS {
+    /// this brings a long Newton step back to the curved family of metrics that differ by such a transformation;
+    /// without it Newton follows that family in many short steps.
+    fn corrected(mut self, goal: &Goal, inverse: &LaplacianInverse) -> Result<(Iterate, usize), MetricError> {
+        for taken in 0..MAX_CORRECTIONS {
+            if self.residual() <= CURVATURE_TOLERANCE {
+                return Ok((self, taken));
+            }
             let change = inverse.apply(&self.excess);
-            let u = self.u.iter().zip(&change).map(|(u, c)| u - c).collect();
-            match Iterate::new(self.triangulation.clone(), goal, u) {
+            let u = self.u.iter().zip(&change).map(|(u, change)| u - change).collect();
+            match Iterate::new(self.triangulation.clone(), self.flips.clone(), u, goal) {
                 Ok(next) if norm(&next.excess) < CORRECTION_DECREASE * norm(&self.excess) => self = next,
-                _ => break,
+                Ok(_) | Err(MetricError::TriangleInequality { .. }) => return Ok((self, taken)),
+                Err(other) => return Err(other),
             }
         }
-        self
+        Ok((self, MAX_CORRECTIONS))
     }
 
     fn not_converged(&self, iterations: usize, blocked: Option<(usize, [u32; 3])>) -> MetricError {
         let (face, vertices) = blocked.unwrap_or_else(|| self.triangulation.thinnest_face(&self.shape));
-        MetricError::NotConverged { iterations, residual: largest(&self.excess), face, vertices }
+        MetricError::NotConverged { iterations, residual: self.residual(), face, vertices }
     }
-}
-
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| value.abs().max(most))
 }

@@ -147,7 +147,7 @@ impl Goal {
         };
         let gauss_bonnet = |sum: f64| {
             let excess = sum - total;
-            if !held && !(excess.abs() <= GAUSS_BONNET_TOLERANCE) {
+            if !held && (excess.is_nan() || excess.abs() > GAUSS_BONNET_TOLERANCE) {
                 return Err(MetricError::GaussBonnet { sum: sum + whole - total, expected: whole, excess });
             }
             Ok(())
@@ -214,8 +214,8 @@ impl Goal {
         } else {
             0.0
         };
-        for v in 0..n {
-            change[v] = if inside(&v) { density * (change[v] - relative * shape.areas[v]) } else { 0.0 };
+        for (v, change) in change.iter_mut().enumerate() {
+            *change = if inside(&v) { density * (*change - relative * shape.areas[v]) } else { 0.0 };
         }
         change
     }
@@ -233,24 +233,22 @@ impl Goal {
         }
     }
 
-    /// Adds to `u` the constant that gives the metric its scale, at a time of the flow, or at its end if that is
-    /// infinite. What the area was at the start matters only before the end.
-    pub fn fix_scale(
+    /// What to add to `u` to give the metric its scale, at a time of the flow, or at its end if that is infinite.
+    /// What the area was at the start matters only before the end.
+    pub fn scale_shift(
         &self,
         triangulation: &Triangulation,
-        u: &mut [f64],
+        u: &[f64],
         initial_area: f64,
         time: f64,
-    ) -> Result<(), MetricError> {
-        let shift = match self.scale {
-            Scale::Held => return Ok(()),
+    ) -> Result<f64, MetricError> {
+        Ok(match self.scale {
+            Scale::Held => 0.0,
             Scale::MeanZero => -u.iter().sum::<f64>() / u.len() as f64,
             Scale::Area(goal) => {
                 let log_area = libm::log(goal) + libm::log(initial_area / goal) * libm::exp(-time);
                 0.5 * (log_area - libm::log(triangulation.shape(u)?.areas.iter().sum::<f64>()))
             }
-        };
-        u.iter_mut().for_each(|u| *u += shift);
-        Ok(())
+        })
     }
 }

@@ -120,7 +120,8 @@ impl RicciFlow {
             Some(step) if time < self.state.time => step.after((time - step.start) / step.length),
             _ => self.state.u.clone(),
         };
-        self.goal.fix_scale(&self.triangulation, &mut u, self.initial_area, time)?;
+        let scale = self.goal.scale_shift(&self.triangulation, &u, self.initial_area, time)?;
+        u.iter_mut().for_each(|u| *u += scale);
         Ok(u)
     }
 
