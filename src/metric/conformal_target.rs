@@ -165,7 +165,7 @@ impl Goal {
             InteriorCurvature::Density(density) if held => Interior::Density(*density),
             InteriorCurvature::Density(density) => {
                 // Any area does for a flat metric; otherwise the total, of the right sign, decides it.
-                if density * total <= 0.0 {
+                if density * total <= 0.0 || total.abs() <= GAUSS_BONNET_TOLERANCE {
                     gauss_bonnet(density * metric.total_area())?;
                 } else {
                     goal.scale = Scale::Area(total / density);
