@@ -20,6 +20,45 @@ pub enum MetricError {
     NoPositions,
     #[error("formula `{formula}`: {reason}; it may use x, y, z (edge midpoint) and length")]
     Formula { formula: String, reason: String },
+    #[error("the mesh has {vertices} vertices, but {values} target curvatures were given; give one per vertex")]
+    TargetCount { vertices: usize, values: usize },
+    #[error(
+        "the target curvature of vertex {vertex} is {value} radians; it must be finite and below {limit:.6}, \
+         which a vertex without any angle would have"
+    )]
+    TargetCurvature { vertex: usize, value: f64, limit: f64 },
+    #[error("the target curvature per area is {density}; it must be finite")]
+    TargetDensity { density: f64 },
+    #[error(
+        "the target curvatures break Gauss-Bonnet: they add up to {sum} radians instead of 2 pi chi = {expected}, \
+         which is {excess:e} too much; spread the difference over the vertices"
+    )]
+    GaussBonnet { sum: f64, expected: f64, excess: f64 },
+    #[error("the mesh has {components} components; scale each of them as a mesh of its own")]
+    Disconnected { components: usize },
+    #[error(
+        "no conformal metric with these curvatures was found: after {iterations} Newton steps a curvature is still off \
+         by {residual:e} radians, and face {face} with vertices {vertices:?} is about to degenerate; refine the mesh \
+         there or choose a target nearer to the metric"
+    )]
+    NotConverged { iterations: usize, residual: f64, face: usize, vertices: [u32; 3] },
+    #[error(
+        "the conformal metric was found with edge flips, but could not be brought back to this mesh: the edge {edge} \
+         between vertices {vertices:?} would have to bend around another vertex; refine the mesh there, or make its \
+         triangles Delaunay"
+    )]
+    NotStraight { edge: usize, vertices: [u32; 2] },
+    #[error("no Delaunay triangulation was reached in {flips} edge flips; the lengths are too far apart in size")]
+    TooManyFlips { flips: usize },
+    #[error("the flow is defined at finite times from 0 on, not at {time}")]
+    FlowTime { time: f64 },
+    #[error(
+        "the flow ends at time {time}, where face {face} with vertices {vertices:?} degenerates; \
+         use a mesh with better triangles there (Delaunay ones are best), or a target nearer to the metric"
+    )]
+    FlowBlocked { time: f64, face: usize, vertices: [u32; 3] },
+    #[error(transparent)]
+    Linear(crate::algebra::CholeskyError),
     #[error(transparent)]
     Mesh(#[from] crate::mesh::MeshError),
 }

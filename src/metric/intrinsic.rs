@@ -168,7 +168,7 @@ fn check_triangles(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {
 }
 
 /// Half-angle formula (App. D); `l[k]` is the side from corner `k` to `k + 1`, so opposite corner `k + 2`.
-fn angles(l: [f64; 3]) -> [f64; 3] {
+pub(super) fn angles(l: [f64; 3]) -> [f64; 3] {
     let [a, b, c] = l;
     let sum = a + b + c;
     [0, 1, 2].map(|k| {
@@ -181,7 +181,7 @@ fn angles(l: [f64; 3]) -> [f64; 3] {
 }
 
 /// Heron's formula in Kahan's stable order.
-fn area(mut l: [f64; 3]) -> f64 {
+pub(super) fn area(mut l: [f64; 3]) -> f64 {
     l.sort_unstable_by(|x, y| y.total_cmp(x));
     let [a, b, c] = l;
     0.25 * ((a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c))).max(0.0).sqrt()

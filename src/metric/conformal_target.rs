@@ -1,0 +1,254 @@
+//! What curvature a conformal change of metric aims at.
+
+use super::conformal_triangulation::{Shape, Triangulation};
+use super::{Metric, MetricError};
+use crate::mesh::{Mesh, VertexId};
+use std::f64::consts::{PI, TAU};
+
+/// How far the sum of all target curvatures may be from `2π χ`.
+pub const GAUSS_BONNET_TOLERANCE: f64 = 1e-10;
+
+/// The curvature that [`super::uniformize`] and [`super::RicciFlow`] aim at.
+///
+/// The curvature of an interior vertex is `2π` minus the sum of its angles. The area of a vertex is a third of
+/// the areas of the faces around it, in the metric that is reached, not in the one given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvatureTarget {
+    /// What is wanted inside.
+    pub interior: InteriorCurvature,
+    /// What is wanted on the boundary. Without a boundary it does not matter.
+    pub boundary: BoundaryCondition,
+    /// Whether the total area stays what it is (the default). Otherwise the mean of the log scale factors is 0.
+    /// Where a condition decides the scale ([`BoundaryCondition::Isometric`] on a surface with boundary,
+    /// [`InteriorCurvature::Density`] other than 0) that holds instead.
+    pub keep_area: bool,
+}
+
+/// Curvature of the interior vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub enum InteriorCurvature {
+    /// In proportion to vertex area. Gauss–Bonnet says how much: the total is `2π χ` minus the turning angles
+    /// of the boundary. Where the boundary is isometric, interior curvature only moves about, and its total stays.
+    Constant,
+    /// This number times vertex area: Gaussian curvature, of unit 1/length². For example −1 for the hyperbolic
+    /// metric of a surface of genus two or more, the total area then being `2π |χ|`.
+    Density(f64),
+    /// In radians, one per vertex, |V|; entries of boundary vertices are not read. Each below `2π`.
+    PerVertex(Vec<f64>),
+}
+
+/// What happens on the boundary.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BoundaryCondition {
+    /// Boundary edges keep their lengths.
+    Isometric,
+    /// Turning angles, `π` minus the sum of the angles of a boundary vertex, in radians, one per vertex, |V|;
+    /// entries of interior vertices are not read. Each below `π`. Discrete geodesic curvature.
+    TurningAngles(Vec<f64>),
+}
+
+impl Default for CurvatureTarget {
+    /// Constant curvature, isometric on the boundary, otherwise of the same total area.
+    fn default() -> Self {
+        CurvatureTarget {
+            interior: InteriorCurvature::Constant,
+            boundary: BoundaryCondition::Isometric,
+            keep_area: true,
+        }
+    }
+}
+
+impl CurvatureTarget {
+    /// The given curvature of every interior vertex, see [`InteriorCurvature::PerVertex`].
+    pub fn per_vertex(curvature: Vec<f64>) -> Self {
+        CurvatureTarget { interior: InteriorCurvature::PerVertex(curvature), ..Default::default() }
+    }
+}
+
+/// A target checked against a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Goal {
+    interior: Interior,
+    /// Per vertex: the turning angle, 0 inside.
+    turning: Vec<f64>,
+    /// Per vertex: whether its scale factor may change.
+    pub free: Vec<bool>,
+    scale: Scale,
+}
+
+#[derive(Clone, Debug)]
+enum Interior {
+    PerVertex(Vec<f64>),
+    /// This much curvature, in proportion to area.
+    Total(f64),
+    /// This much per area; only where the boundary is held, so that there is a scale.
+    Density(f64),
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Scale {
+    /// Vertices that are held decide.
+    Held,
+    Area(f64),
+    MeanZero,
+}
+
+impl Goal {
+    /// # Errors
+    /// [`MetricError::TargetCount`], [`MetricError::TargetCurvature`], [`MetricError::GaussBonnet`],
+    /// [`MetricError::Disconnected`].
+    pub fn new(target: &CurvatureTarget, mesh: &Mesh, metric: &Metric) -> Result<Goal, MetricError> {
+        let vertices = mesh.vertex_count();
+        let on_boundary: Vec<bool> = mesh.vertices().map(|v| mesh.is_boundary_vertex(v)).collect();
+        let bounded = on_boundary.contains(&true);
+        let components = mesh.components().len();
+        if components > 1 {
+            return Err(MetricError::Disconnected { components });
+        }
+        let mut goal = Goal {
+            interior: Interior::Total(0.0),
+            turning: vec![0.0; vertices],
+            free: vec![true; vertices],
+            scale: if target.keep_area { Scale::Area(metric.total_area()) } else { Scale::MeanZero },
+        };
+        let check = |values: &[f64], boundary: bool| -> Result<(), MetricError> {
+            if values.len() != vertices {
+                return Err(MetricError::TargetCount { vertices, values: values.len() });
+            }
+            let limit = if boundary { PI } else { TAU };
+            let bad =
+                (0..vertices).find(|&v| on_boundary[v] == boundary && !(values[v].is_finite() && values[v] < limit));
+            match bad {
+                Some(vertex) => Err(MetricError::TargetCurvature { vertex, value: values[vertex], limit }),
+                None => Ok(()),
+            }
+        };
+        let held = match &target.boundary {
+            BoundaryCondition::Isometric => {
+                goal.free.iter_mut().zip(&on_boundary).for_each(|(free, boundary)| *free = !boundary);
+                bounded
+            }
+            BoundaryCondition::TurningAngles(angles) => {
+                check(angles, true)?;
+                for v in (0..vertices).filter(|&v| on_boundary[v]) {
+                    goal.turning[v] = angles[v];
+                }
+                false
+            }
+        };
+        let whole = TAU * mesh.euler_characteristic() as f64;
+        let inside = |v: &usize| !on_boundary[*v];
+        // What Gauss-Bonnet leaves for the interior.
+        let total = if held {
+            goal.scale = Scale::Held;
+            (0..vertices).filter(inside).map(|v| metric.curvature(mesh, VertexId::new(v))).sum()
+        } else {
+            whole - goal.turning.iter().sum::<f64>()
+        };
+        let gauss_bonnet = |sum: f64| {
+            let excess = sum - total;
+            if !held && (excess.is_nan() || excess.abs() > GAUSS_BONNET_TOLERANCE) {
+                return Err(MetricError::GaussBonnet { sum: sum + whole - total, expected: whole, excess });
+            }
+            Ok(())
+        };
+        goal.interior = match &target.interior {
+            InteriorCurvature::PerVertex(values) => {
+                check(values, false)?;
+                gauss_bonnet((0..vertices).filter(inside).map(|v| values[v]).sum())?;
+                Interior::PerVertex(values.clone())
+            }
+            InteriorCurvature::Constant => Interior::Total(total),
+            InteriorCurvature::Density(density) if !density.is_finite() => {
+                return Err(MetricError::TargetDensity { density: *density });
+            }
+            InteriorCurvature::Density(density) if held => Interior::Density(*density),
+            InteriorCurvature::Density(density) => {
+                // Any area does for a flat metric; otherwise the total, of the right sign, decides it.
+                if density * total <= 0.0 || total.abs() <= GAUSS_BONNET_TOLERANCE {
+                    gauss_bonnet(density * metric.total_area())?;
+                } else {
+                    goal.scale = Scale::Area(total / density);
+                }
+                Interior::Total(total)
+            }
+        };
+        if (0..vertices).filter(inside).count() == 0 && !held {
+            gauss_bonnet(0.0)?;
+        }
+        Ok(goal)
+    }
+
+    /// Target curvature per vertex for a shape; what is held gets the curvature it has.
+    pub fn curvature(&self, triangulation: &Triangulation, shape: &Shape) -> Vec<f64> {
+        let density = self.density(triangulation, shape);
+        (0..self.free.len())
+            .map(|v| match &self.interior {
+                _ if !self.free[v] => shape.curvature[v],
+                _ if triangulation.on_boundary[v] => self.turning[v],
+                Interior::PerVertex(values) => values[v],
+                _ => density * shape.areas[v],
+            })
+            .collect()
+    }
+
+    /// Replaces positive curvature in proportion to area by that of the shape at the end.
+    pub fn settle_positive(&mut self, end: &Triangulation, shape: &Shape) {
+        if self.density(end, shape) > 0.0 {
+            self.interior = Interior::PerVertex(shape.curvature.clone());
+        }
+    }
+
+    /// Derivative of [`Goal::curvature`] of the free vertices in the direction `x`, 0 for the others.
+    pub fn curvature_change(&self, triangulation: &Triangulation, shape: &Shape, x: &[f64]) -> Vec<f64> {
+        let n = x.len();
+        if let Interior::PerVertex(_) = self.interior {
+            return vec![0.0; n];
+        }
+        let inside = |v: &usize| !triangulation.on_boundary[*v];
+        let density = self.density(triangulation, shape);
+        let mut change = triangulation.area_change(shape, x);
+        let relative = if let Interior::Total(_) = self.interior {
+            let sum = |values: &[f64]| (0..n).filter(inside).map(|v| values[v]).sum::<f64>();
+            sum(&change) / sum(&shape.areas)
+        } else {
+            0.0
+        };
+        for (v, change) in change.iter_mut().enumerate() {
+            *change = if inside(&v) { density * (*change - relative * shape.areas[v]) } else { 0.0 };
+        }
+        change
+    }
+
+    /// Curvature per area inside, 0 where each vertex has its own.
+    pub fn density(&self, triangulation: &Triangulation, shape: &Shape) -> f64 {
+        match self.interior {
+            Interior::PerVertex(_) => 0.0,
+            Interior::Density(density) => density,
+            Interior::Total(total) => {
+                let inside = shape.areas.iter().zip(&triangulation.on_boundary).filter(|(_, boundary)| !**boundary);
+                let area: f64 = inside.map(|(area, _)| area).sum();
+                if area > 0.0 { total / area } else { 0.0 }
+            }
+        }
+    }
+
+    /// What to add to `u` to give the metric its scale, at a time of the flow, or at its end if that is infinite.
+    /// What the area was at the start matters only before the end.
+    pub fn scale_shift(
+        &self,
+        triangulation: &Triangulation,
+        u: &[f64],
+        initial_area: f64,
+        time: f64,
+    ) -> Result<f64, MetricError> {
+        Ok(match self.scale {
+            Scale::Held => 0.0,
+            Scale::MeanZero => -u.iter().sum::<f64>() / u.len() as f64,
+            Scale::Area(goal) => {
+                let log_area = libm::log(goal) + libm::log(initial_area / goal) * libm::exp(-time);
+                0.5 * (log_area - libm::log(triangulation.shape(u)?.areas.iter().sum::<f64>()))
+            }
+        })
+    }
+}
