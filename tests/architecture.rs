@@ -122,6 +122,9 @@ fn files_are_short_and_libraries_neither_print_nor_panic_nor_exit() {
     for (path, text) in sources() {
         let lines = text.lines().count();
         assert!(lines <= 400, "{}: {lines} lines", path.display());
+        if path.ends_with("tests.rs") {
+            continue; // a module of tests may panic
+        }
         for word in [
             "TODO",
             "FIXME",

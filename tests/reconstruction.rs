@@ -46,6 +46,7 @@ fn to_the_end(method: Method, dt: f64, max_steps: usize) -> Phase {
         tolerance_radians: 1e-12,
         min_steps: 1,
         max_steps,
+        untangle_steps: 0,
     }
 }
 

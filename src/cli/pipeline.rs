@@ -166,11 +166,11 @@ impl Observer for Watcher<'_> {
             self.progress.begin(&name, Some(now.max_steps));
         }
         self.progress.advance(now.step, Some(now.l2_length_error));
-        if now.step == now.max_steps && !now.settled {
+        if now.step >= now.max_steps && !now.settled {
             self.progress.note(&format!(
                 "frame {}: {name} did not converge in {} steps: frames still turn by {:.3} degrees a step, more than \
                  the tolerance of {}",
-                self.frame, now.max_steps, now.turn, now.tolerance
+                self.frame, now.step, now.turn, now.tolerance
             ));
         }
         ControlFlow::Continue(())

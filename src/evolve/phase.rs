@@ -18,8 +18,10 @@ pub struct Phase {
     pub tolerance_radians: f64,
     /// Least number of steps.
     pub min_steps: usize,
-    /// After this many the stage has not converged.
+    /// After this many the stage has not converged,
     pub max_steps: usize,
+    /// or, as long as there are rims, after this many more.
+    pub untangle_steps: usize,
 }
 
 impl Phase {
@@ -43,6 +45,7 @@ impl Phase {
             tolerance_radians: section.tolerance.to_radians(),
             min_steps: section.min_steps,
             max_steps: section.max_steps,
+            untangle_steps: section.untangle_steps,
         }
     }
 }
@@ -57,7 +60,8 @@ pub fn phases_from_scene(sections: &[PhaseSection]) -> Vec<Phase> {
 /// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper: feedback comes in
 /// gradually, since a surface with periods collapses under full feedback while its frames are still random; periods
 /// are taken out on their own from the start; ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer
-/// does it (earlier they would only keep tangles from resolving), and from there on steps are accelerated.
+/// does it (earlier they would only keep tangles from resolving), and from there on steps are accelerated. The
+/// second stage is the one that resolves rims, and gets the time it needs for that.
 pub fn default_phases() -> Vec<Phase> {
     let shaping = PhaseSection { crease: 0.0, accelerate: false, ..PhaseSection::default() };
     let settling = PhaseSection::default();
@@ -76,6 +80,7 @@ pub fn default_phases() -> Vec<Phase> {
             periods: 0.5,
             tolerance: 0.3,
             max_steps: 50,
+            untangle_steps: 350,
             ..shaping.clone()
         },
         PhaseSection { epsilon: [1.0, 1e-2, 1.0, 0.1], tolerance: 0.1, max_steps: 100, ..shaping },

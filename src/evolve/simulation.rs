@@ -122,11 +122,13 @@ impl Simulation {
             }
             let l2_length_error = length_error(&self.mesh, &self.metric, &positions).l2;
             let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
-            let progress = Progress { turn: turn.to_degrees(), settled, l2_length_error, ..self.progress(&phase) };
+            let max_steps = self.patience(&phase);
+            let progress =
+                Progress { turn: turn.to_degrees(), max_steps, settled, l2_length_error, ..self.progress(&phase) };
             if observer.after_step(&progress).is_break() {
                 return Err(EvolveError::Stopped { steps: self.cursor.steps });
             }
-            if settled || self.cursor.step >= phase.max_steps {
+            if settled || self.cursor.step >= max_steps {
                 self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
                 acceleration = Acceleration::default();
             } else if phase.accelerate {
@@ -134,22 +136,42 @@ impl Simulation {
             }
         }
         let mut positions = self.integrate();
-        self.align(&mut positions, steps.is_none());
+        self.align(&mut positions);
         Ok(self.realize(positions))
     }
 
-    /// Takes away the rigid motion that random frames have left: the surface is laid upon the mesh's own positions
-    /// or, once it is `relaxed`, along its principal axes (on the way there these would swing about). Pins hold.
-    fn align(&mut self, positions: &mut [DVec3], relaxed: bool) {
-        let weights = self.metric.vertex_areas(&self.mesh);
-        let motion = match &self.reference {
-            _ if !self.pins.is_empty() => return,
-            Some(reference) => RigidMotion::onto(reference, positions, &weights),
-            None if relaxed => RigidMotion::to_principal_axes(positions, &weights),
-            None => return,
-        };
-        positions.iter_mut().for_each(|p| *p = motion.point(*p));
-        self.frames.iter_mut().for_each(|frame| *frame = motion.frame(*frame));
+    /// Takes away the rigid motion that random frames leave to every component without pins: it is laid upon the
+    /// mesh's own positions or, once all phases are done (on the way they would swing about), along its principal axes.
+    fn align(&mut self, positions: &mut [DVec3]) {
+        let relaxed = self.cursor.phase >= self.phases.len();
+        let areas = self.metric.vertex_areas(&self.mesh);
+        let mut motions = vec![None; positions.len()];
+        for vertices in self.poisson.floating() {
+            let of_component = |values: &[DVec3]| vertices.iter().map(|v| values[v.index()]).collect::<Vec<_>>();
+            let (points, weights) =
+                (of_component(positions), vertices.iter().map(|v| areas[v.index()]).collect::<Vec<_>>());
+            let motion = match &self.reference {
+                Some(reference) => RigidMotion::onto(&of_component(reference), &points, &weights),
+                None if relaxed => RigidMotion::to_principal_axes(&points, &weights),
+                None => continue,
+            };
+            vertices.iter().for_each(|v| motions[v.index()] = Some(motion));
+        }
+        for (position, motion) in positions.iter_mut().zip(&motions) {
+            *position = motion.map_or(*position, |motion| motion.point(*position));
+        }
+        for (f, frame) in self.mesh.faces().zip(&mut self.frames) {
+            let motion = motions[self.mesh.corners(f)[0].index()];
+            *frame = motion.map_or(*frame, |motion| motion.frame(*frame));
+        }
+    }
+
+    /// How many steps the phase may take, from what is known now: more while there are rims.
+    fn patience(&self, phase: &Phase) -> usize {
+        let tangled = self.cursor.step >= phase.max_steps
+            && phase.untangle_steps > 0
+            && !rims(&self.shell, &self.frames).is_empty();
+        if tangled { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
     }
 
     /// Goes on from frames and cursor of an earlier run of the same scene.

@@ -57,6 +57,11 @@ impl Poisson {
         Ok(Poisson { factor, unknowns, floating })
     }
 
+    /// The vertices of every component without pins.
+    pub fn floating(&self) -> &[Vec<VertexId>] {
+        &self.floating
+    }
+
     /// Positions whose differences fit `vectors` (|E|) best in the weighted least-squares sense.
     /// `pins` are pinned vertices with their positions, the same vertices as in [`Poisson::new`].
     pub fn solve(&self, mesh: &Mesh, metric: &Metric, vectors: &[DVec3], pins: &[(VertexId, DVec3)]) -> Vec<DVec3> {

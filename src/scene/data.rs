@@ -215,8 +215,10 @@ pub struct PhaseSection {
     pub tolerance: f64,
     /// and not before this many steps;
     pub min_steps: usize,
-    /// it is said not to have converged after this many.
+    /// it is said not to have converged after this many,
     pub max_steps: usize,
+    /// or, as long as there are rims, this many more.
+    pub untangle_steps: usize,
 }
 
 impl Default for PhaseSection {
@@ -232,6 +234,7 @@ impl Default for PhaseSection {
             tolerance: 0.01,
             min_steps: 3,
             max_steps: 200,
+            untangle_steps: 0,
         }
     }
 }

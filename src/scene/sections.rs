@@ -120,6 +120,9 @@ fn phase(table: &mut Table) -> PhaseSection {
             .key("max_steps", "After this many steps the stage is said not to have converged.")
             .at_least(1.0)
             .or(default.max_steps),
+        untangle_steps: table
+            .key("untangle_steps", "So many more steps are taken as long as there are rims.")
+            .or(default.untangle_steps),
     };
     if phase.epsilon.iter().all(|&weight| weight == 0.0) {
         table.complain("epsilon", "all weights are 0, so that nothing is minimized", "make the first one 1");

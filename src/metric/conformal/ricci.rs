@@ -1,11 +1,11 @@
 //! Ricci flow as discrete conformal scaling, integrated in time.
 
-use super::conformal::{Conformal, uniformize};
-use super::conformal_linear::LaplacianInverse;
-use super::conformal_target::{CurvatureTarget, Goal};
-use super::conformal_triangulation::{Shape, Triangulation};
-use super::{Metric, MetricError};
+use super::linear::LaplacianInverse;
+use super::target::{CurvatureTarget, Goal};
+use super::triangulation::{Shape, Triangulation};
+use super::uniformize::{Conformal, uniformize};
 use crate::mesh::Mesh;
+use crate::metric::{Metric, MetricError};
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// Estimated error of the log scale factors that a step may make. The estimate is that of a method of order one,

@@ -1,8 +1,8 @@
 //! What curvature a conformal change of metric aims at.
 
-use super::conformal_triangulation::{Shape, Triangulation};
-use super::{Metric, MetricError};
+use super::triangulation::{Shape, Triangulation};
 use crate::mesh::{Mesh, VertexId};
+use crate::metric::{Metric, MetricError};
 use std::f64::consts::{PI, TAU};
 
 /// How far the sum of all target curvatures may be from `2π χ`.

@@ -1,8 +1,8 @@
 //! A triangulation under conformal scaling: curvatures, areas and their derivatives.
 
-use super::MetricError;
-use super::intrinsic::{TRIANGLE_MARGIN, angles, area};
 use crate::mesh::Mesh;
+use crate::metric::MetricError;
+use crate::metric::intrinsic::{TRIANGLE_MARGIN, angles, area};
 use std::f64::consts::{PI, TAU};
 
 /// Faces and reference lengths `ℓ`, to be scaled to `ℓ̃_ij = ℓ_ij exp((u_i + u_j)/2)`.

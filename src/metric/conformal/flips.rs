@@ -1,8 +1,8 @@
 //! Edge flips of a triangulation under conformal scaling: to Delaunay, and back.
 
-use super::MetricError;
-use super::conformal_triangulation::Triangulation;
-use super::intrinsic::angles;
+use super::triangulation::Triangulation;
+use crate::metric::MetricError;
+use crate::metric::intrinsic::angles;
 use std::f64::consts::PI;
 
 /// How far an edge must be from Delaunay, as a sum of two cosines, to be flipped.

@@ -1,9 +1,9 @@
 //! Derivatives against finite differences, and flips against the metric they must not change.
 
-use super::Metric;
-use super::conformal_target::{BoundaryCondition, CurvatureTarget, Goal, InteriorCurvature};
-use super::conformal_triangulation::Triangulation;
+use super::target::{BoundaryCondition, CurvatureTarget, Goal, InteriorCurvature};
+use super::triangulation::Triangulation;
 use crate::mesh::{Mesh, Surface, shapes};
+use crate::metric::Metric;
 use crate::scene::PolyhedronSource;
 
 /// Numbers in [−1, 1] without any pattern to speak of.
@@ -24,7 +24,7 @@ fn surfaces() -> Vec<(Mesh, Metric)> {
         .into_iter()
         .map(|surface| {
             let Surface { mesh, positions, .. } = surface.expect("a surface");
-            let lengths = super::lengths_of_positions(&mesh, &positions.expect("positions"));
+            let lengths = crate::metric::lengths_of_positions(&mesh, &positions.expect("positions"));
             let uneven = lengths.iter().zip(noise(lengths.len(), 1)).map(|(l, r)| l * (1.0 + 0.1 * r)).collect();
             let metric = Metric::new(&mesh, uneven).expect("a metric");
             (mesh, metric)

@@ -1,10 +1,10 @@
 //! Metrics of prescribed curvature in a discrete conformal class.
 
-use super::conformal_linear::{LaplacianInverse, norm, solve_near_laplacian};
-use super::conformal_target::{CurvatureTarget, Goal};
-use super::conformal_triangulation::{Shape, Triangulation};
-use super::{Metric, MetricError};
+use super::linear::{LaplacianInverse, norm, solve_near_laplacian};
+use super::target::{CurvatureTarget, Goal};
+use super::triangulation::{Shape, Triangulation};
 use crate::mesh::Mesh;
+use crate::metric::{Metric, MetricError};
 
 /// [`uniformize`] brings every vertex within this many radians of its target curvature.
 pub const CURVATURE_TOLERANCE: f64 = 1e-11;

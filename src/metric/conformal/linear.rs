@@ -1,8 +1,8 @@
 //! Linear systems of conformal scaling: the cotangent Laplacian, and what differs from it by little.
 
-use super::MetricError;
-use super::conformal_triangulation::{Shape, Triangulation};
+use super::triangulation::{Shape, Triangulation};
 use crate::algebra::SparseCholesky;
+use crate::metric::MetricError;
 use glam::DVec3;
 
 /// Most directions that [`solve_near_laplacian`] tries. Curvature in proportion to area needs about 20.
