@@ -120,8 +120,10 @@ pub(super) fn simulate(
         Cache::open_or_create(folder, &film, &simulation.mesh)?
     };
     let kept = cache.last_valid_frame()?.unwrap_or(0);
+    let mut restarts = 0;
     if kept > 0 {
         let state = cache.read_frame(kept)?;
+        restarts = state.report.cursor.restarts;
         simulation.resume(state.frames, state.report.cursor);
     }
     let steps = (scene.clock.frames > 1).then_some(scene.clock.steps_per_frame);
@@ -129,9 +131,10 @@ pub(super) fn simulate(
         let start = Instant::now();
         // The first frame of a film of the relaxation is where it starts.
         let steps = if number == 1 && steps.is_some() { Some(0) } else { steps };
-        let mut watcher = Watcher { progress: &mut *progress, phase: None, frame: number };
+        let mut watcher = Watcher { progress: &mut *progress, phase: None, restarts, frame: number };
         let frame = simulation.relax(steps, &mut watcher)?;
         let mut report = frame.report;
+        restarts = report.cursor.restarts;
         report.frame = number;
         report.time = (number - 1) as f64;
         report.seconds = start.elapsed().as_secs_f64();
@@ -155,6 +158,7 @@ pub(super) fn simulate(
 struct Watcher<'a> {
     progress: &'a mut dyn Progress,
     phase: Option<usize>,
+    restarts: usize,
     frame: usize,
 }
 
@@ -166,6 +170,10 @@ impl Observer for Watcher<'_> {
             self.progress.begin(&name, Some(now.max_steps));
         }
         self.progress.advance(now.step, Some(now.l2_length_error));
+        if now.restarts > self.restarts {
+            self.restarts = now.restarts;
+            self.progress.note(&format!("frame {}: rims were left, so frames were drawn anew at random", self.frame));
+        }
         if now.step >= now.max_steps && !now.settled {
             self.progress.note(&format!(
                 "frame {}: {name} did not converge in {} steps: frames still turn by {:.3} degrees a step, more than \

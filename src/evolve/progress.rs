@@ -9,6 +9,8 @@ pub struct Progress {
     pub phase: usize,
     /// Number of phases.
     pub phases: usize,
+    /// How often frames were drawn anew because rims would not resolve.
+    pub restarts: usize,
     /// Steps taken in this phase and the most it may take.
     pub step: usize,
     /// See `step`.

@@ -11,6 +11,8 @@ pub struct Cursor {
     pub step: usize,
     /// Steps taken in all phases.
     pub steps: usize,
+    /// How often frames were drawn anew because rims would not resolve.
+    pub restarts: usize,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
 }

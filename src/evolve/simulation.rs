@@ -28,6 +28,8 @@ pub struct Simulation {
     /// The state: one unit quaternion per face.
     pub frames: Vec<DQuat>,
     cursor: Cursor,
+    /// What random frames are drawn with; `None` for other starts.
+    seed: Option<u64>,
     shell: Shell,
     poisson: Poisson,
     periods: Periods,
@@ -82,6 +84,7 @@ impl Simulation {
         let periods = Periods::new(&mesh, &metric, &homology, free.as_ref().unwrap_or(&poisson));
         let stepper = Stepper::new(&shell);
         let cursor = Cursor::default();
+        let seed = if let StartSection::Random(seed) = scene.start { Some(seed) } else { None };
         let phases = phases_from_scene(&scene.phases);
         Ok(Simulation {
             mesh,
@@ -92,6 +95,7 @@ impl Simulation {
             phases,
             frames,
             cursor,
+            seed,
             shell,
             poisson,
             periods,
@@ -122,7 +126,7 @@ impl Simulation {
             }
             let l2_length_error = length_error(&self.mesh, &self.metric, &positions).l2;
             let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
-            let max_steps = self.patience(&phase);
+            let max_steps = self.patience(&phase, &positions);
             let progress =
                 Progress { turn: turn.to_degrees(), max_steps, settled, l2_length_error, ..self.progress(&phase) };
             if observer.after_step(&progress).is_break() {
@@ -131,6 +135,7 @@ impl Simulation {
             if settled || self.cursor.step >= max_steps {
                 self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
                 acceleration = Acceleration::default();
+                self.draw_anew_if_tangled();
             } else if phase.accelerate {
                 acceleration.correct(&before, &mut self.frames);
             }
@@ -167,11 +172,26 @@ impl Simulation {
     }
 
     /// How many steps the phase may take, from what is known now: more while there are rims.
-    fn patience(&self, phase: &Phase) -> usize {
-        let tangled = self.cursor.step >= phase.max_steps
-            && phase.untangle_steps > 0
-            && !rims(&self.shell, &self.frames).is_empty();
-        if tangled { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
+    fn patience(&self, phase: &Phase, positions: &[DVec3]) -> usize {
+        let longer = self.cursor.step >= phase.max_steps && phase.untangle_steps > 0 && self.is_tangled(positions);
+        if longer { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
+    }
+
+    /// Rims that are left in the end do not resolve any more; other random frames may do without them.
+    fn draw_anew_if_tangled(&mut self) {
+        let Some(seed) = self.seed else { return };
+        let done = self.cursor.phase == self.phases.len();
+        if done && self.cursor.restarts < MAX_RESTARTS && self.is_tangled(&self.integrate()) {
+            self.cursor = Cursor { phase: 0, restarts: self.cursor.restarts + 1, ..self.cursor };
+            // Seeds of restarts are far from those that users write.
+            self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
+        }
+    }
+
+    /// Whether the surface at these positions has rims.
+    fn is_tangled(&self, positions: &[DVec3]) -> bool {
+        let frames = frames_of_positions(&self.mesh, &self.metric, positions, &self.frames);
+        !rims(&self.shell, &frames).is_empty()
     }
 
     /// Goes on from frames and cursor of an earlier run of the same scene.
@@ -185,6 +205,7 @@ impl Simulation {
         Progress {
             phase: self.cursor.phase,
             phases: self.phases.len(),
+            restarts: self.cursor.restarts,
             step: self.cursor.step,
             max_steps: phase.max_steps,
             turn: 0.0,
@@ -252,6 +273,9 @@ impl Simulation {
         Frame { positions, rims, pinch_points, report }
     }
 }
+
+/// How often frames are drawn anew at most.
+const MAX_RESTARTS: usize = 4;
 
 /// λ ← normalize((1 − t) λ + t λ*) with t = 1 − (1 − amount)^(Ā/A), which is `1 − exp(−Δt/(a A))` of Alg. 8 with
 /// a chosen such that a face of mean area Ā moves by `amount`.
