@@ -30,6 +30,8 @@ pub struct Simulation {
     cursor: Cursor,
     /// What random frames are drawn with; `None` for other starts.
     seed: Option<u64>,
+    /// The best attempt so far: its number of rims, and its frames.
+    fewest_rims: Option<(usize, Vec<DQuat>)>,
     shell: Shell,
     poisson: Poisson,
     periods: Periods,
@@ -96,6 +98,7 @@ impl Simulation {
             frames,
             cursor,
             seed,
+            fewest_rims: None,
             shell,
             poisson,
             periods,
@@ -135,7 +138,9 @@ impl Simulation {
             if settled || self.cursor.step >= max_steps {
                 self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
                 acceleration = Acceleration::default();
-                self.draw_anew_if_tangled();
+                if steps.is_none() {
+                    self.draw_anew_if_tangled(); // a film would jump
+                }
             } else if phase.accelerate {
                 acceleration.correct(&before, &mut self.frames);
             }
@@ -173,25 +178,34 @@ impl Simulation {
 
     /// How many steps the phase may take, from what is known now: more while there are rims.
     fn patience(&self, phase: &Phase, positions: &[DVec3]) -> usize {
-        let longer = self.cursor.step >= phase.max_steps && phase.untangle_steps > 0 && self.is_tangled(positions);
+        let longer = self.cursor.step >= phase.max_steps && phase.untangle_steps > 0 && self.rims_at(positions) > 0;
         if longer { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
     }
 
-    /// Rims that are left in the end do not resolve any more; other random frames may do without them.
+    /// Rims that are left in the end do not resolve any more; other random frames may do without them. When all
+    /// attempts are used up, the one with the fewest rims is kept.
     fn draw_anew_if_tangled(&mut self) {
         let Some(seed) = self.seed else { return };
-        let done = self.cursor.phase == self.phases.len();
-        if done && self.cursor.restarts < MAX_RESTARTS && self.is_tangled(&self.integrate()) {
+        if self.cursor.phase < self.phases.len() {
+            return;
+        }
+        let tangles = self.rims_at(&self.integrate());
+        if self.fewest_rims.as_ref().is_none_or(|(fewest, _)| tangles < *fewest) {
+            self.fewest_rims = Some((tangles, self.frames.clone()));
+        }
+        if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
             self.cursor = Cursor { phase: 0, restarts: self.cursor.restarts + 1, ..self.cursor };
             // Seeds of restarts are far from those that users write.
             self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
+        } else if let Some((_, frames)) = self.fewest_rims.take() {
+            self.frames = frames;
         }
     }
 
-    /// Whether the surface at these positions has rims.
-    fn is_tangled(&self, positions: &[DVec3]) -> bool {
+    /// The number of rims of the surface at these positions.
+    fn rims_at(&self, positions: &[DVec3]) -> usize {
         let frames = frames_of_positions(&self.mesh, &self.metric, positions, &self.frames);
-        !rims(&self.shell, &frames).is_empty()
+        rims(&self.shell, &frames).len()
     }
 
     /// Goes on from frames and cursor of an earlier run of the same scene.
