@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec4};
 use rayon::prelude::*;
 
-/// Fixed length of the pieces in which sums are formed, so that results do not depend on threads.
+/// Rows that one task takes.
 const CHUNK: usize = 4096;
 
 /// The graph: which block rows are coupled by which edge. Shared by all matrices on one mesh.
@@ -133,14 +133,4 @@ fn is_positive_definite(m: &DMat4, scale: &DMat4) -> bool {
             * (1.0 / pivot);
         pivot > floor
     })
-}
-
-/// Inner product, summed in fixed pieces.
-pub fn dot(a: &[DVec4], b: &[DVec4]) -> f64 {
-    let pieces: Vec<f64> = a
-        .par_chunks(CHUNK)
-        .zip(b.par_chunks(CHUNK))
-        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum::<f64>())
-        .collect();
-    pieces.iter().sum()
 }

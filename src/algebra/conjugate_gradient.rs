@@ -1,6 +1,7 @@
 //! Preconditioned conjugate gradients on block matrices.
 
-use super::block_sparse::{BlockMatrix, BlockPattern, IncompleteCholesky, dot};
+use super::block_sparse::{BlockMatrix, BlockPattern, IncompleteCholesky};
+use super::inner_product;
 use glam::DVec4;
 
 /// What a solve took.
@@ -77,4 +78,8 @@ impl ConjugateGradient {
         let residual = if start > 0.0 { end / start } else { 0.0 };
         SolveReport { iterations, residual, converged: end <= 2.0 * goal }
     }
+}
+
+fn dot(a: &[DVec4], b: &[DVec4]) -> f64 {
+    inner_product(a, b, DVec4::dot)
 }

@@ -5,6 +5,7 @@
 //! of a phase that is converging, and is thrown away as soon as steps grow, so that it never steers a phase that is
 //! still finding its shape.
 
+use crate::algebra::inner_product;
 use glam::{DQuat, DVec3};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
@@ -95,12 +96,6 @@ fn turns(a: &[DQuat], b: &[DQuat]) -> Vec<DVec3> {
         .collect()
 }
 
-/// Summed in fixed pieces, so that it does not depend on threads.
 fn dot(a: &[DVec3], b: &[DVec3]) -> f64 {
-    let pieces: Vec<f64> = a
-        .par_chunks(4096)
-        .zip(b.par_chunks(4096))
-        .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a.dot(*b)).sum::<f64>())
-        .collect();
-    pieces.iter().sum()
+    inner_product(a, b, DVec3::dot)
 }

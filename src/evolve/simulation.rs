@@ -82,7 +82,9 @@ impl Simulation {
 
         let pinned: Vec<VertexId> = pins.iter().map(|(v, _)| *v).collect();
         let poisson = Poisson::new(&mesh, &metric, &pinned)?;
-        let free = if pins.is_empty() { None } else { Some(Poisson::new(&mesh, &metric, &[])?) };
+        // Periods are those of the surface without its pins.
+        let separate = !pins.is_empty() && homology.betti() > 0;
+        let free = if separate { Some(Poisson::new(&mesh, &metric, &[])?) } else { None };
         let periods = Periods::new(&mesh, &metric, &homology, free.as_ref().unwrap_or(&poisson));
         let stepper = Stepper::new(&shell);
         let cursor = Cursor::default();
@@ -127,7 +129,7 @@ impl Simulation {
             if !turn.is_finite() {
                 return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
             }
-            let l2_length_error = length_error(&self.mesh, &self.metric, &positions).l2;
+            let l2_length_error = l2_length_error(&self.mesh, &self.metric, &positions);
             let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
             let max_steps = self.patience(&phase, &positions);
             let progress =

@@ -33,11 +33,20 @@ pub fn length_errors(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> Vec<f
 /// Statistics of [`length_errors`].
 pub fn length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> LengthError {
     let errors = length_errors(mesh, metric, positions);
-    let l2 = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+    let l2 = root_mean_square(&errors);
     let mut sizes: Vec<f64> = errors.into_iter().map(f64::abs).collect();
     sizes.sort_unstable_by(f64::total_cmp);
     let quantile = |q: f64| sizes[((sizes.len() - 1) as f64 * q).round() as usize];
     LengthError { l2, max: quantile(1.0), median: quantile(0.5), p95: quantile(0.95) }
+}
+
+/// Root mean square of [`length_errors`], without the sorting that the other statistics take.
+pub fn l2_length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> f64 {
+    root_mean_square(&length_errors(mesh, metric, positions))
+}
+
+fn root_mean_square(values: &[f64]) -> f64 {
+    (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt()
 }
 
 /// Edges with rim bit 1 (Def. 4.1): frames in opposite hemispheres after transport.

@@ -11,7 +11,8 @@ mod spin_of_immersion;
 pub use alignment::RigidMotion;
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
 pub use measure::{
-    LengthError, bending_angles, is_figure_8, length_error, length_errors, mean_turn, pinch_points, rims,
+    LengthError, bending_angles, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
+    rims,
 };
 pub use pins::{PinError, pins_from_scene};
 pub use poisson::Poisson;
