@@ -22,6 +22,7 @@
 pub mod scene;
 
 pub mod algebra;
+pub mod timeline;
 
 pub mod mesh;
 

@@ -7,7 +7,7 @@ use immerse::evolve::{Simulation, Unobserved};
 use immerse::immersion::{RigidMotion, frames_of_positions};
 use immerse::mesh::Surface;
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::scene::{MetricSection, PinSection, Scene, StartSection};
+use immerse::scene::{LengthSource, PinSection, Scene, SelectionSection, StartFrom};
 use support::Random;
 
 /// An egg that is no solid of revolution.
@@ -90,14 +90,20 @@ fn values_that_are_not_numbers_do_no_harm() {
 fn a_relaxed_surface_lies_upon_the_mesh_unless_pins_hold_it_elsewhere() {
     let (surface, reference) = egg();
     let at = |scene: &Scene| Simulation::new(scene, surface.clone()).unwrap().relax(Some(0), &mut Unobserved).unwrap();
-    let mut scene = Scene { start: StartSection::Mesh, ..Scene::default() };
+    let mut scene = Scene { start: StartFrom::Mesh.into(), ..Scene::default() };
     assert!(distance(&at(&scene).positions, &reference) < 1e-9);
     let elsewhere = DVec3::new(5.0, 6.0, 7.0);
-    scene.pins = vec![PinSection { vertices: vec![0], positions: vec![elsewhere.to_array()] }];
+    scene.pins = vec![PinSection {
+        vertices: SelectionSection::Vertices(vec![0]),
+        positions: vec![elsewhere.to_array()],
+        formula: None,
+        motion: None,
+    }];
     assert!(at(&scene).positions[0].distance(elsewhere) < 1e-9);
     // Lengths that are not those of the positions have no other place than their own axes.
     scene.pins.clear();
-    scene.metric = MetricSection::Formula("length".into());
+    scene.start = StartFrom::Random(0).into();
+    scene.metric.lengths = LengthSource::Formula("1.001 * length".into());
     let frame = Simulation::new(&scene, surface.clone()).unwrap().relax(None, &mut Unobserved).unwrap();
     let mesh = &surface.mesh;
     let weights = Metric::new(mesh, lengths_of_positions(mesh, &reference)).unwrap().vertex_areas(mesh);

@@ -4,8 +4,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// A module imports only modules before it.
-const ORDER: [&str; 11] =
-    ["scene", "algebra", "mesh", "metric", "spin", "frames", "immersion", "evolve", "cache", "render", "cli"];
+const ORDER: [&str; 12] = [
+    "scene",
+    "algebra",
+    "timeline",
+    "mesh",
+    "metric",
+    "spin",
+    "frames",
+    "immersion",
+    "evolve",
+    "cache",
+    "render",
+    "cli",
+];
 
 /// All Rust sources with their text, paths relative to `src`.
 fn sources() -> Vec<(PathBuf, String)> {

@@ -177,13 +177,17 @@ fn lengths_that_are_none() {
 #[test]
 fn formulas() {
     let with = |formula: &str| format!("[mesh]\nshape = 'sphere'\nsubdivisions = 2\n[metric]\nformula = '{formula}'\n");
-    refuse(&[], &with("length * w"), &["formula `length * w`", "there is no `w`", "it may use x, y, z"]);
+    refuse(
+        &[],
+        &with("length * w"),
+        &["film.toml:5:11", "formula `length * w`", "there is no `w`", "it may use x, y, z"],
+    );
     refuse(&[], &with("length * "), &["formula `length * `"].map(str::trim));
     refuse(&[], &with("length * (0/0)"), &["NaN", "every length must be positive and finite"]);
     refuse(&[], &with("length * ln(z - 9)"), &["NaN", "every length must be positive and finite"]);
     refuse(&[], &with("length - length"), &["has length 0", "every length must be positive and finite"]);
     let flat = "[mesh]\nshape = 'flat_torus'\ncolumns = 6\nrows = 6\n[metric]\nformula = 'length * x'\n";
-    refuse(&[], flat, &["no positions, so x, y and z are unknown"]);
+    refuse(&[], flat, &["film.toml:6:11", "uses coordinates, but the mesh has no positions"]);
 }
 
 #[test]
@@ -206,7 +210,7 @@ fn what_wants_positions() {
         let start = format!("{flat}[start]\nfrom = '{from}'\n");
         refuse(&[], &start, &["film.toml:6:8", "the mesh has none", "write `random = 0`"]);
         let bending = format!("{flat}[bending]\nfrom = '{from}'\n");
-        refuse(&[], &bending, &["film.toml:6:8", "bending angles", "the mesh has none", "leave [bending] out"]);
+        refuse(&[], &bending, &["film.toml:6:8", "bending angles", "the mesh has none", "a `file`"]);
     }
     refuse(&[], &format!("{flat}[[pin]]\nvertices = [0]\n"), &["film.toml:5:1", "add `positions`"]);
 }
@@ -214,7 +218,11 @@ fn what_wants_positions() {
 #[test]
 fn pins() {
     let sphere = "[mesh]\nshape = 'sphere'\nsubdivisions = 2\n";
-    refuse(&[], &format!("{sphere}[[pin]]\nvertices = [42]\n"), &["names vertex 42", "42 vertices", "below 42"]);
+    refuse(
+        &[],
+        &format!("{sphere}[[pin]]\nvertices = [42]\n"),
+        &["film.toml:4:1", "there is no vertex 42", "42 vertices", "below 42"],
+    );
     let twice = "[[pin]]\nvertices = [3]\npositions = [[0, 0, 0]]\n[[pin]]\nvertices = [3]\n";
     refuse(&[], &format!("{sphere}{twice}"), &["vertex 3 is pinned to", "keep one of the two"]);
     let uneven = "[[pin]]\nvertices = [3, 4]\npositions = [[0, 0, 0]]\n";

@@ -200,7 +200,7 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
     positions.iter_mut().for_each(|p| *p += 0.05 * random.vector());
     let lengths = lengths_of_positions(&mesh, &positions);
     positions.iter_mut().for_each(|p| *p = DVec3::new(1.3 * p.x, p.y + 0.2 * p.x, 0.9 * p.z));
-    Surface { mesh, positions: Some(positions), edge_lengths: Some(lengths), repairs: Vec::new() }
+    Surface { mesh, positions: Some(positions), coordinates: None, edge_lengths: Some(lengths), repairs: Vec::new() }
 }
 
 /// A few steps of all kinds from the given map.
@@ -250,6 +250,7 @@ fn whole_relaxation_under_relabelling() {
         let mesh = change.mesh(&surface.mesh);
         let edges = change.edges(&surface.mesh, &mesh);
         let there = relax(&Surface {
+            coordinates: None,
             positions: surface.positions.as_ref().map(|p| change.positions(p)),
             edge_lengths: surface.edge_lengths.as_ref().map(|l| change.lengths(&edges, l)),
             mesh,

@@ -3,7 +3,7 @@
 mod support;
 
 use glam::DVec3;
-use immerse::evolve::{EvolveError, Frame, Observer, Phase, Progress, Simulation, Unobserved};
+use immerse::evolve::{Checkpoint, EvolveError, Frame, Observer, Phase, Progress, Simulation, Unobserved};
 use immerse::frames::{Method, Shell, StepOptions, Stepper, energy, random_frames};
 use immerse::immersion::{is_figure_8, pinch_points};
 use immerse::mesh::{Mesh, Surface, shapes};
@@ -243,9 +243,18 @@ fn steps_can_be_taken_in_pieces() {
     for steps in [1, 0, 4] {
         pieces.relax(Some(steps), &mut Unobserved).expect("a frame");
     }
-    let cursor = pieces.relax(Some(0), &mut Unobserved).expect("a frame").report.cursor;
+    let now = pieces.relax(Some(0), &mut Unobserved).expect("a frame");
     let mut resumed = start();
-    resumed.resume(pieces.frames, cursor);
+    let checkpoint = Checkpoint {
+        frame: 1,
+        frames: pieces.frames,
+        spin: pieces.spin,
+        edge_lengths: pieces.metric.edge_lengths().to_vec(),
+        positions: now.positions,
+        rims: now.rims,
+        cursor: now.report.cursor,
+    };
+    resumed.resume(checkpoint).expect("a metric");
     let last = resumed.relax(Some(7), &mut Unobserved).expect("a frame");
     // Every piece is laid upon the reference, which rounds.
     assert_eq!(last.report.cursor, whole.report.cursor);

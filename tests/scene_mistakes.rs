@@ -31,7 +31,7 @@ fn one(marked: &str, reason: &str, remedy: &str) {
 fn unknown_names() {
     one("[^mash]\nshape = 'sphere'", "there is no `mash` in a scene", "did you mean `mesh`?");
     one("[camera]\n^feild_of_view = 3", "there is no `feild_of_view` in [camera]", "did you mean `field_of_view`?");
-    one("[clock]\n^xyzzy = 3", "there is no `xyzzy` in [clock]", "the keys are `frames` and `steps_per_frame`");
+    one("[clock]\n^xyzzy = 3", "there is no `xyzzy` in [clock]", "the keys are `frames`, `start`");
     one("[mesh]\nshape = ^'spere'\nwhatever = 1", "there is no shape `spere`", "did you mean `sphere`?");
     one("[mesh]\nshape = 'sphere'\n^minor_radius = 2", "no `minor_radius` in [mesh]", "`radius` and `subdivisions`");
     one("[mesh]\nshape = 'flat_torus'\ngrid = ^'Squared'", "there is no grid `Squared`", "did you mean `square`?");
@@ -88,7 +88,7 @@ fn wrong_lengths() {
         "2 positions for 1 vertices",
         "one [x, y, z] per vertex",
     );
-    one("[[pin]]\nvertices = ^[]", "`vertices` is empty", "name at least one vertex");
+    one("[[pin]]\nvertices = ^[]", "`vertices` is empty", "name at least one");
 }
 
 #[test]
@@ -136,8 +136,8 @@ fn missing_and_contradictory() {
     one("[mesh]\nfile = 'a.obj'\n^shape = 'sphere'", "both `file` and `shape`", "remove one of them");
     one("[metric]\nlength = 1\n^csv = 'a.csv'", "both `length` and `csv`", "remove one of them");
     one("[start]\nfrom = 'mesh'\n^random = 3", "both `from` and `random`", "remove one of them");
-    one("^[bending]\n", "[bending] has no `from`", "from = \"mirror\"");
-    one("^[[pin]]\n", "[[pin]] has no `vertices`", "add for example vertices = [0,1]");
+    one("^[bending]\n", "[bending] says no angles", "from = \"mirror\"");
+    one("^[[pin]]\n", "[[pin]] selects nothing", "add vertices, boundary, box, ball or nearest");
     one("^[[light]]\n", "[[light]] has no `direction`", "add for example direction = [-0.5,1.0,1.0]");
     one("[mesh]\nshape = ^'polyhedron'", "needs a `name`, or both", "name = \"cube\"");
     one("[mesh]\nshape = ^'implicit'", "has no `parts`", "[[mesh.parts]]");

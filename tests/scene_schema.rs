@@ -9,7 +9,8 @@ fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
     let at = |pointer: &str| schema.pointer(pointer).unwrap_or_else(|| panic!("no {pointer}")).clone();
     let sections: Vec<String> = at("/properties").as_object().unwrap().keys().cloned().collect();
     let mut expected =
-        ["mesh", "metric", "spin", "start", "phase", "bending", "pin", "clock", "camera", "light"].to_vec();
+        ["mesh", "parameters", "metric", "spin", "start", "phase", "bending", "pin", "clock", "camera", "light"]
+            .to_vec();
     expected.extend(["look", "output", "checks"]);
     expected.sort();
     assert_eq!(sections, expected);
@@ -18,7 +19,8 @@ fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
     assert_eq!(at("/properties/phase/items/properties/dt/exclusiveMinimum"), 0.0);
     assert_eq!(at("/properties/phase/items/properties/epsilon/minItems"), 4);
     assert_eq!(at("/properties/look/properties/front/default"), "#E0823D");
-    assert_eq!(at("/properties/pin/items/required/0"), "vertices");
+    assert_eq!(at("/properties/light/items/required/0"), "direction");
+    assert_eq!(at("/properties/parameters/additionalProperties/anyOf/2/required/0"), "times");
     assert_eq!(at("/additionalProperties"), false);
 }
 

@@ -12,9 +12,9 @@ fn parse(text: &str) -> Scene {
 fn an_empty_scene_has_all_defaults() {
     let scene = parse("");
     assert_eq!(scene.mesh, MeshSection::Shape(Shape::Sphere { radius: 1.0, subdivisions: 16 }));
-    assert_eq!(scene.metric, MetricSection::OfMesh);
+    assert_eq!(scene.metric, MetricSection::default());
     assert_eq!(scene.spin, SpinSection::Automatic);
-    assert_eq!(scene.start, StartSection::Random(0));
+    assert_eq!(scene.start, StartFrom::Random(0).into());
     assert_eq!((scene.phases.len(), scene.pins.len(), scene.lights.len()), (0, 0, 0));
     assert_eq!((scene.bending, scene.clock.frames), (None, 1));
     assert_eq!((scene.camera, scene.look), (CameraSection::default(), LookSection::default()));
@@ -79,9 +79,9 @@ class = "01"
     );
     assert_eq!(scene.mesh, MeshSection::File("data/torus.OBJ".into()));
     assert_eq!(scene.resolve(Path::new("a.csv")), Path::new("folder/a.csv"));
-    assert_eq!(scene.metric, MetricSection::Uniform(0.05));
+    assert_eq!(scene.metric.lengths, LengthSource::Uniform(0.05));
     assert_eq!(scene.spin, SpinSection::Digits("01".into()));
-    assert_eq!(scene.start, StartSection::Random(u64::MAX));
+    assert_eq!(scene.start, StartFrom::Random(u64::MAX).into());
     let default = PhaseSection::default();
     assert_eq!(
         scene.phases,
@@ -90,12 +90,25 @@ class = "01"
             PhaseSection { feedback: 0.5, tolerance: 0.01, min_steps: 2, max_steps: 3, ..default },
         ]
     );
-    assert_eq!(scene.bending, Some(BendingSection::Mirror));
+    assert_eq!(
+        scene.bending,
+        Some(BendingSection { from: Some(BendingFrom::Mirror), amount: NumberSection::Constant(1.0), regions: vec![] })
+    );
     assert_eq!(
         scene.pins,
         [
-            PinSection { vertices: vec![4, 2], positions: vec![[0.0, 0.0, 1.0], [1.0, 2.5, -0.3]] },
-            PinSection { vertices: vec![0], positions: vec![] },
+            PinSection {
+                vertices: SelectionSection::Vertices(vec![4, 2]),
+                positions: vec![[0.0, 0.0, 1.0], [1.0, 2.5, -0.3]],
+                formula: None,
+                motion: None,
+            },
+            PinSection {
+                vertices: SelectionSection::Vertices(vec![0]),
+                positions: vec![],
+                formula: None,
+                motion: None,
+            },
         ]
     );
     assert_eq!(scene.clock.frames, 240);
@@ -120,7 +133,8 @@ class = "01"
             max_l2_length_error: Some(0.012),
             max_rims: Some(3),
             max_pinch_points: Some(0),
-            class: Some("01".into())
+            class: Some("01".into()),
+            ..ChecksSection::default()
         }
     );
 }

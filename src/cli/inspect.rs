@@ -33,7 +33,7 @@ impl Inspection {
             }
         }
         let manifest = cache.manifest();
-        let checks = checks_of(&manifest.checks, frames.last());
+        let checks = checks_of(&manifest.checks, &frames);
         Ok(Inspection { mesh: manifest.mesh, frames, checks, damaged })
     }
 

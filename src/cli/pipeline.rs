@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::Progress;
+use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
-use crate::evolve::{self, EvolveError, Observer, SetupError, Simulation};
+use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation};
 use crate::mesh::Mesh;
 use crate::render::{Camera, Extent, Lights, Look, Output, RenderError, Scenery, render};
 use crate::scene::{Scene, SceneError, SceneErrors};
+use crate::spin::SpinStructure;
 
 /// Why a command did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -65,7 +67,8 @@ pub struct Summary {
 
 /// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
-    let simulation = set_up(scene)?;
+    let mut simulation = set_up(scene)?;
+    simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
     let picture = Picture::of(scene)?;
     let mesh = &simulation.mesh;
     let mut notes = vec![format!(
@@ -87,6 +90,10 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
             u8::from(q)
         ));
     }
+    for (k, cycle) in mesh.boundary_loops().iter().enumerate() {
+        let length: f64 = cycle.iter().map(|&h| simulation.metric.length(mesh.edge(h))).sum();
+        notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices", cycle.len()));
+    }
     notes.extend(simulation.repairs.iter().cloned());
     notes.push(format!("pictures of {} x {} pixels", picture.output.width(), picture.output.height()));
     Ok(notes)
@@ -94,12 +101,22 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
 
 /// The simulation of a scene; what is at fault is shown where the scene names it.
 fn set_up(scene: &Scene) -> Result<Simulation, PipelineError> {
-    Simulation::from_scene(scene).map_err(|error: SetupError| {
-        let text = error.to_string();
-        // Messages end with what to do.
-        let (reason, remedy) = text.rsplit_once("; ").unwrap_or((&text, "correct it"));
-        scene.complain(error.key(), reason, remedy).into()
-    })
+    Simulation::from_scene(scene).map_err(|error: SetupError| complaint(scene, error.key(), &error.to_string()))
+}
+
+/// Shows an error where the scene names what is at fault.
+fn complaint(scene: &Scene, key: &str, message: &str) -> PipelineError {
+    // Messages end with what to do.
+    let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
+    scene.complain(key, reason, remedy).into()
+}
+
+/// An error of a running simulation, shown where the scene names what is at fault, if it does.
+fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
+    match error.key() {
+        Some(key) => complaint(scene, key, &error.to_string()),
+        None => error.into(),
+    }
 }
 
 /// Computes the frames that are not there yet.
@@ -124,19 +141,24 @@ pub(super) fn simulate(
     if kept > 0 {
         let state = cache.read_frame(kept)?;
         restarts = state.report.cursor.restarts;
-        simulation.resume(state.frames, state.report.cursor);
+        let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
+        let checkpoint = Checkpoint {
+            frame: kept,
+            frames: state.frames,
+            spin: SpinStructure::from_transports(transports),
+            edge_lengths: state.edge_lengths,
+            positions: state.positions,
+            rims: simulation.mesh.edges().filter(|e| state.rims[e.index()]).collect(),
+            cursor: state.report.cursor,
+        };
+        simulation.resume(checkpoint).map_err(|error| at_fault(scene, error))?;
     }
-    let steps = (scene.clock.frames > 1).then_some(scene.clock.steps_per_frame);
     for number in kept + 1..=scene.clock.frames {
         let start = Instant::now();
-        // The first frame of a film of the relaxation is where it starts.
-        let steps = if number == 1 && steps.is_some() { Some(0) } else { steps };
-        let mut watcher = Watcher { progress: &mut *progress, phase: None, restarts, frame: number };
-        let frame = simulation.relax(steps, &mut watcher)?;
+        let mut watcher = Watcher { progress: &mut *progress, phase: None, restarts };
+        let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
         let mut report = frame.report;
         restarts = report.cursor.restarts;
-        report.frame = number;
-        report.time = (number - 1) as f64;
         report.seconds = start.elapsed().as_secs_f64();
         let mut rims = vec![false; simulation.mesh.edge_count()];
         frame.rims.iter().for_each(|e| rims[e.index()] = true);
@@ -159,12 +181,13 @@ struct Watcher<'a> {
     progress: &'a mut dyn Progress,
     phase: Option<usize>,
     restarts: usize,
-    frame: usize,
 }
 
 impl Observer for Watcher<'_> {
     fn after_step(&mut self, now: &evolve::Progress) -> ControlFlow<()> {
-        let name = format!("phase {}/{}", now.phase + 1, now.phases);
+        let following = now.phase >= now.phases;
+        let name =
+            if following { format!("frame {}", now.frame) } else { format!("phase {}/{}", now.phase + 1, now.phases) };
         if self.phase != Some(now.phase) {
             self.phase = Some(now.phase);
             self.progress.begin(&name, Some(now.max_steps));
@@ -172,13 +195,13 @@ impl Observer for Watcher<'_> {
         self.progress.advance(now.step, Some(now.l2_length_error));
         if now.restarts > self.restarts {
             self.restarts = now.restarts;
-            self.progress.note(&format!("frame {}: rims were left, so frames were drawn anew at random", self.frame));
+            self.progress.note(&format!("frame {}: rims were left, so frames were drawn anew at random", now.frame));
         }
-        if now.step >= now.max_steps && !now.settled {
+        if now.step >= now.max_steps && !now.settled && !following {
             self.progress.note(&format!(
                 "frame {}: {name} did not converge in {} steps: frames still turn by {:.3} degrees a step, more than \
                  the tolerance of {}",
-                self.frame, now.step, now.turn, now.tolerance
+                now.frame, now.step, now.turn, now.tolerance
             ));
         }
         ControlFlow::Continue(())

@@ -1,10 +1,12 @@
 //! Why a simulation cannot start or ends early.
 
 use crate::algebra::CholeskyError;
-use crate::immersion::PinError;
+use crate::immersion::{BendingError, PinError, StartError};
 use crate::mesh::MeshError;
 use crate::metric::MetricError;
+use crate::scene::AtKey;
 use crate::spin::SpinError;
+use crate::timeline::TimelineError;
 
 /// Why a scene does not describe a simulation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -12,46 +14,47 @@ pub enum SetupError {
     /// The surface.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// A parameter.
+    #[error("{}", .0.error)]
+    Parameter(#[from] AtKey<TimelineError>),
     /// Its lengths.
-    #[error(transparent)]
-    Metric(#[from] MetricError),
+    #[error("{}", .0.error)]
+    Metric(#[from] AtKey<MetricError>),
     /// Its class.
     #[error(transparent)]
     Spin(#[from] SpinError),
     /// Its pins.
-    #[error(transparent)]
-    Pin(#[from] PinError),
+    #[error("{}", .0.error)]
+    Pin(#[from] AtKey<PinError>),
+    /// What it starts from.
+    #[error("{}", .0.error)]
+    Start(#[from] AtKey<StartError>),
+    /// Its target bending angles.
+    #[error("{}", .0.error)]
+    Bending(#[from] AtKey<BendingError>),
     /// The Poisson problem.
     #[error("{0}; even out the edge lengths, the weights differ by too many orders of magnitude")]
     Poisson(#[from] CholeskyError),
-    /// A start from positions that do not exist.
-    #[error(
-        "the frames are to start from positions, but the mesh has none; write `random = 0` or use a mesh that has them"
-    )]
-    StartWithoutPositions,
-    /// Bending angles of positions that do not exist.
-    #[error(
-        "bending angles are to come from positions, but the mesh has none; leave [bending] out or use a mesh that has them"
-    )]
-    BendingWithoutPositions,
 }
 
 impl SetupError {
     /// The key of the scene file that is at fault.
-    pub fn key(&self) -> &'static str {
+    pub fn key(&self) -> &str {
         match self {
             SetupError::Mesh(_) => "mesh",
-            SetupError::Metric(_) | SetupError::Poisson(_) => "metric",
+            SetupError::Poisson(_) => "metric",
             SetupError::Spin(_) => "spin.class",
-            SetupError::Pin(_) => "pin",
-            SetupError::StartWithoutPositions => "start.from",
-            SetupError::BendingWithoutPositions => "bending.from",
+            SetupError::Parameter(at) => &at.key,
+            SetupError::Metric(at) => &at.key,
+            SetupError::Pin(at) => &at.key,
+            SetupError::Start(at) => &at.key,
+            SetupError::Bending(at) => &at.key,
         }
     }
 }
 
 /// Why a running simulation ended without a frame.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EvolveError {
     /// The observer said so.
     #[error("stopped after {steps} steps; run again to resume at the last finished frame")]
@@ -67,4 +70,58 @@ pub enum EvolveError {
         /// Phase, from 0.
         phase: usize,
     },
+    /// The scene gives no metric.
+    #[error("at time {time}: {}", error.error)]
+    Metric {
+        /// When.
+        time: f64,
+        /// Why, and which key of the scene says so.
+        error: AtKey<MetricError>,
+    },
+    /// The scene gives no places for its pins.
+    #[error("{}", .0.error)]
+    Pin(#[from] AtKey<PinError>),
+    /// The Poisson problem.
+    #[error("at time {time}: {error}; even out the edge lengths, the weights differ by too many orders of magnitude")]
+    Poisson {
+        /// When.
+        time: f64,
+        /// Why.
+        error: CholeskyError,
+    },
+    /// A vertex star became figure-8.
+    #[error(
+        "at time {time} rounding has changed the spin structure at vertex {vertex}; lower `max_strain` under [clock], \
+         or use better triangles there"
+    )]
+    StarChanged {
+        /// When.
+        time: f64,
+        /// Where.
+        vertex: usize,
+    },
+    /// The class is another.
+    #[error(
+        "at time {time} rounding has changed the class from {before} to {after}; lower `max_strain` under [clock], or \
+         use better triangles"
+    )]
+    ClassChanged {
+        /// When.
+        time: f64,
+        /// q on every generator,
+        before: String,
+        /// and now.
+        after: String,
+    },
+}
+
+impl EvolveError {
+    /// The key of the scene file that is at fault, if any is.
+    pub fn key(&self) -> Option<&str> {
+        match self {
+            EvolveError::Metric { error, .. } => Some(&error.key),
+            EvolveError::Pin(error) => Some(&error.key),
+            _ => None,
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! The schedule of a relaxation: ε, Δt and feedback by stages (Eq. 21).
 
 use crate::frames::{Method, StepOptions};
-use crate::scene::{MethodName, PhaseSection};
+use crate::scene::{MethodName, PhaseSection, StartFrom};
 
 /// One stage: steps of one kind until frames stand still.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,9 +50,14 @@ impl Phase {
     }
 }
 
-/// The stages of a scene, or the default ones.
-pub fn phases_from_scene(sections: &[PhaseSection]) -> Vec<Phase> {
-    if sections.is_empty() { default_phases() } else { sections.iter().map(Phase::from_scene).collect() }
+/// The stages of a scene, or the default ones. Frames that start from positions are near to where they belong; they
+/// need only the last stage, and the stiffness of the earlier ones would iron out what the positions say.
+pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom) -> Vec<Phase> {
+    match start {
+        _ if !sections.is_empty() => sections.iter().map(Phase::from_scene).collect(),
+        StartFrom::Random(_) | StartFrom::Spectral => default_phases(),
+        StartFrom::Mesh | StartFrom::Mirror | StartFrom::File(_) => vec![Phase::from_scene(&PhaseSection::default())],
+    }
 }
 
 /// The stages that work from random frames on spheres, tori of every class, disks and bunnies alike.

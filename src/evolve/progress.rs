@@ -5,6 +5,8 @@ use std::ops::ControlFlow;
 /// The state of a relaxation after a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
+    /// The frame that is being made, from 1.
+    pub frame: usize,
     /// Phase, from 0, of `phases`.
     pub phase: usize,
     /// Number of phases.

@@ -44,6 +44,34 @@ pub struct FrameReport {
     pub energy: f64,
     /// Period part of the edge vectors relative to their norm.
     pub period_error: f64,
+    /// With Ricci flow: the largest distance of a curvature from its target, in radians.
+    #[serde(default)]
+    pub curvature_error: Option<f64>,
+    /// Where the mesh has positions and the first frame their metric: mean distance of the surface from them after
+    /// rigid alignment, over their diameter.
+    #[serde(default)]
+    pub mean_distance: Option<f64>,
+    /// With pins: the largest distance of a pinned vertex from its place.
+    #[serde(default)]
+    pub pin_distance: Option<f64>,
+    /// Largest change of an edge's length since the frame before, as a share of it.
+    #[serde(default)]
+    pub strain: f64,
+    /// Median distance that vertices moved since the frame before, rigid motion taken away.
+    #[serde(default)]
+    pub median_move: f64,
+    /// Largest such distance.
+    #[serde(default)]
+    pub max_move: f64,
+    /// Rims that were not there in the frame before,
+    #[serde(default)]
+    pub rims_born: usize,
+    /// that are no longer there,
+    #[serde(default)]
+    pub rims_died: usize,
+    /// and that moved to an edge which shares a vertex with the old one.
+    #[serde(default)]
+    pub rims_moved: usize,
     /// How far the relaxation has come.
     #[serde(flatten)]
     pub cursor: Cursor,

@@ -1,44 +1,66 @@
-//! Algorithm 2: from a scene to frames, and from frames to a surface.
+//! Algorithm 2 in time: a surface whose metric changes, frame by frame.
 
-use super::acceleration::Acceleration;
-use super::{Cursor, EvolveError, FrameReport, Observer, Phase, Progress, SetupError, phases_from_scene};
-use crate::frames::{Shell, Stepper, energy, random_frames, spectral_frames};
-use crate::immersion::*;
+use super::discretization::Discretization;
+use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
+use crate::frames::{Shell, Stepper, random_frames, spectral_frames};
+use crate::immersion::{Pins, TargetBending, initial_positions, rimless_frames, spin_from_scene};
 use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
-use crate::metric::{self, Metric};
-use crate::scene::{BendingSection, MetricSection, Scene, StartSection};
-use crate::spin::{Homology, SpinStructure, class_digits};
+use crate::metric::{Metric, MetricAt, MetricProgram, lengths_of_positions};
+use crate::scene::{AtKey, Scene, StartFrom};
+use crate::spin::{Homology, SpinStructure};
+use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
 
-/// Everything that stays the same while the metric does, and the frames, which do not.
+/// A thin shell whose metric, bending and pins follow a scene, and its state: one unit quaternion per face.
 #[derive(Debug)]
 pub struct Simulation {
     /// Connectivity.
     pub mesh: Mesh,
     /// What had to be repaired in the mesh, in words.
     pub repairs: Vec<String>,
-    /// Edge lengths and what they determine.
+    /// Edge lengths and what they determine, now.
     pub metric: Metric,
     /// Generators of the homology.
     pub homology: Homology,
     /// The regular homotopy class, as signs of τ.
     pub spin: SpinStructure,
-    /// Stages of the relaxation.
+    /// Stages of the relaxation of the first frame.
     pub phases: Vec<Phase>,
     /// The state: one unit quaternion per face.
     pub frames: Vec<DQuat>,
-    cursor: Cursor,
+    pub(super) program: MetricProgram,
+    pub(super) bending: Option<TargetBending>,
+    pub(super) pins: Pins,
+    pub(super) clock: Clock,
+    pub(super) pace: Pace,
+    /// The last frame that was made; 0 before the first.
+    pub(super) frame: usize,
+    pub(super) time: f64,
+    pub(super) cursor: Cursor,
+    /// q on every generator, which must stay.
+    pub(super) class: Vec<bool>,
+    pub(super) places: Vec<(VertexId, DVec3)>,
+    pub(super) curvature_error: Option<f64>,
+    pub(super) parts: Discretization,
+    pub(super) stepper: Stepper,
     /// What random frames are drawn with; `None` for other starts.
-    seed: Option<u64>,
+    pub(super) seed: Option<u64>,
     /// The best attempt so far: its number of rims, and its frames.
-    fewest_rims: Option<(usize, Vec<DQuat>)>,
-    shell: Shell,
-    poisson: Poisson,
-    periods: Periods,
-    pins: Vec<(VertexId, DVec3)>,
-    /// The mesh's own positions where the metric is theirs: the surface is laid upon them.
-    reference: Option<Vec<DVec3>>,
-    stepper: Stepper,
+    pub(super) fewest_rims: Option<(usize, Vec<DQuat>)>,
+    /// Positions of the mesh, where the metric at the start is theirs.
+    pub(super) original: Option<Vec<DVec3>>,
+    /// Positions that the first frame is laid upon.
+    pub(super) reference: Option<Vec<DVec3>>,
+    /// Of the last frame.
+    pub(super) previous: Option<Previous>,
+}
+
+/// What the next frame is compared with.
+#[derive(Debug)]
+pub(super) struct Previous {
+    pub positions: Vec<DVec3>,
+    pub rims: Vec<EdgeId>,
+    pub edge_lengths: Vec<f64>,
 }
 
 /// A relaxed surface.
@@ -52,6 +74,25 @@ pub struct Frame {
     pub pinch_points: Vec<VertexId>,
     /// Measures.
     pub report: FrameReport,
+}
+
+/// What must be kept of a frame to go on after it.
+#[derive(Clone, Debug)]
+pub struct Checkpoint {
+    /// The frame, from 1.
+    pub frame: usize,
+    /// Unit quaternions, |F|.
+    pub frames: Vec<DQuat>,
+    /// The spin connection and
+    pub spin: SpinStructure,
+    /// the lengths it belongs to, |E|.
+    pub edge_lengths: Vec<f64>,
+    /// |V|
+    pub positions: Vec<DVec3>,
+    /// Edges with rim bit 1.
+    pub rims: Vec<EdgeId>,
+    /// How far the relaxation was.
+    pub cursor: Cursor,
 }
 
 impl Simulation {
@@ -68,271 +109,142 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the scene does not fit the surface.
     pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
-        let metric = metric::from_scene(&scene.metric, &scene.folder, &surface)?;
-        let metric_is_of_positions = scene.metric == MetricSection::OfMesh && surface.edge_lengths.is_none();
+        let parameters = Parameters::from_scene(&scene.parameters)
+            .map_err(|(name, error)| AtKey { key: format!("parameters.{name}"), error })?;
+        let clock = Clock::from_scene(&scene.clock);
+        let time = clock.time(1);
+        let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
+        let places = surface.places().map(<[DVec3]>::to_vec);
+        let places = places.as_deref();
         let Surface { mesh, positions, repairs, .. } = surface;
-        let reference = positions.clone().filter(|_| metric_is_of_positions);
         let positions = positions.as_deref();
+        let MetricAt { metric, curvature_error } = program.at(&mesh, time)?;
         let homology = Homology::new(&mesh, &metric);
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
-        let bending = target_bending(scene.bending.as_ref(), &mesh, positions)?;
-        let shell = Shell::new(&mesh, &metric, &spin, bending.as_deref());
-        let pins = pins_from_scene(&scene.pins, &mesh, positions)?;
-        let frames = start(scene.start, &mesh, &metric, &shell, positions)?;
+        let bending = match &scene.bending {
+            None => None,
+            Some(section) => {
+                Some(TargetBending::from_scene(section, &scene.folder, &mesh, [positions, places], &parameters)?)
+            }
+        };
+        let pins = Pins::from_scene(&scene.pins, &mesh, [positions, places], &parameters, time)?;
+        let pinned = pins.at(time)?;
+        let angles = bending.as_ref().map(|bending| bending.at(time));
+        let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;
 
-        let pinned: Vec<VertexId> = pins.iter().map(|(v, _)| *v).collect();
-        let poisson = Poisson::new(&mesh, &metric, &pinned)?;
-        // Periods are those of the surface without its pins.
-        let separate = !pins.is_empty() && homology.betti() > 0;
-        let free = if separate { Some(Poisson::new(&mesh, &metric, &[])?) } else { None };
-        let periods = Periods::new(&mesh, &metric, &homology, free.as_ref().unwrap_or(&poisson));
-        let stepper = Stepper::new(&shell);
-        let cursor = Cursor::default();
-        let seed = if let StartSection::Random(seed) = scene.start { Some(seed) } else { None };
-        let phases = phases_from_scene(&scene.phases);
+        let shape = initial_positions(&scene.start, &scene.folder, &mesh, [positions, places], &parameters, time)?;
+        let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
+        let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
+        let reference = shape.or_else(|| original.clone());
+        let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);
+        let stepper = Stepper::new(&parts.shell);
+        let class = spin.class(&mesh, &metric, &homology);
         Ok(Simulation {
             mesh,
             repairs,
             metric,
             homology,
             spin,
-            phases,
+            phases: phases_from_scene(&scene.phases, &scene.start.from),
             frames,
-            cursor,
+            program,
+            bending,
+            pins,
+            clock,
+            pace: Pace::from_scene(&scene.clock, changes),
+            frame: 0,
+            time,
+            cursor: Cursor::default(),
+            class,
+            places: pinned,
+            curvature_error,
+            parts,
+            stepper,
             seed,
             fewest_rims: None,
-            shell,
-            poisson,
-            periods,
-            pins,
+            original,
             reference,
-            stepper,
+            previous: None,
         })
     }
 
-    /// Lines 7 to 9 of Algorithm 2: relaxes the frames, through all phases or for some steps, and realizes the surface.
+    /// Makes the next frame of the film. The first one of a scene that changes with time, or does not and has but one
+    /// frame, goes through all phases; the others follow the metric.
+    ///
+    /// # Errors
+    /// [`EvolveError`] if the observer stops it, frames are no longer finite, or the scene gives no metric or no place
+    /// for its pins at the time of the frame.
+    pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
+        let time = self.clock.time(self.frame + 1);
+        match (self.pace, self.frame) {
+            (Pace::Settle(_), 0) => self.run_all_phases(observer)?,
+            (Pace::Settle(settling), _) => self.follow(time, &settling, observer)?,
+            // The first frame of a film of the relaxation is where it starts.
+            (Pace::Steps(_), 0) => {}
+            (Pace::Steps(steps), _) => {
+                self.move_to(time)?;
+                self.run_steps(steps, observer)?;
+            }
+        }
+        self.verify_class()?;
+        self.frame += 1;
+        Ok(self.frame_now())
+    }
+
+    /// Relaxes the frames at the present time, by some steps or through all phases, and realizes the surface.
     ///
     /// # Errors
     /// [`EvolveError`] if the observer stops it or frames are no longer finite.
     pub fn relax(&mut self, steps: Option<usize>, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
-        let mut acceleration = Acceleration::default();
-        let mut left = steps.unwrap_or(usize::MAX);
-        while left > 0
-            && let Some(phase) = self.phases.get(self.cursor.phase).copied()
-        {
-            let before = self.frames.clone();
-            let positions = self.step(&phase);
-            left -= 1;
-            self.cursor.step += 1;
-            self.cursor.steps += 1;
-            let turn = mean_turn(&self.shell, &before, &self.frames);
-            if !turn.is_finite() {
-                return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
-            }
-            let l2_length_error = l2_length_error(&self.mesh, &self.metric, &positions);
-            let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
-            let max_steps = self.patience(&phase, &positions);
-            let progress =
-                Progress { turn: turn.to_degrees(), max_steps, settled, l2_length_error, ..self.progress(&phase) };
-            if observer.after_step(&progress).is_break() {
-                return Err(EvolveError::Stopped { steps: self.cursor.steps });
-            }
-            if settled || self.cursor.step >= max_steps {
-                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
-                acceleration = Acceleration::default();
-                if steps.is_none() {
-                    self.draw_anew_if_tangled(); // a film would jump
-                }
-            } else if phase.accelerate {
-                acceleration.correct(&before, &mut self.frames);
-            }
+        match steps {
+            None => self.run_all_phases(observer)?,
+            Some(steps) => self.run_steps(steps, observer)?,
         }
+        Ok(self.frame_now())
+    }
+
+    fn frame_now(&mut self) -> Frame {
         let mut positions = self.integrate();
-        self.align(&mut positions);
-        Ok(self.realize(positions))
+        self.place(&mut positions);
+        self.realize(positions)
     }
 
-    /// Takes away the rigid motion that random frames leave to every component without pins: it is laid upon the
-    /// mesh's own positions or, once all phases are done (on the way they would swing about), along its principal axes.
-    fn align(&mut self, positions: &mut [DVec3]) {
-        let relaxed = self.cursor.phase >= self.phases.len();
-        let areas = self.metric.vertex_areas(&self.mesh);
-        let mut motions = vec![None; positions.len()];
-        for vertices in self.poisson.floating() {
-            let of_component = |values: &[DVec3]| vertices.iter().map(|v| values[v.index()]).collect::<Vec<_>>();
-            let (points, weights) =
-                (of_component(positions), vertices.iter().map(|v| areas[v.index()]).collect::<Vec<_>>());
-            let motion = match &self.reference {
-                Some(reference) => RigidMotion::onto(&of_component(reference), &points, &weights),
-                None if relaxed => RigidMotion::to_principal_axes(&points, &weights),
-                None => continue,
-            };
-            vertices.iter().for_each(|v| motions[v.index()] = Some(motion));
-        }
-        for (position, motion) in positions.iter_mut().zip(&motions) {
-            *position = motion.map_or(*position, |motion| motion.point(*position));
-        }
-        for (f, frame) in self.mesh.faces().zip(&mut self.frames) {
-            let motion = motions[self.mesh.corners(f)[0].index()];
-            *frame = motion.map_or(*frame, |motion| motion.frame(*frame));
-        }
-    }
-
-    /// How many steps the phase may take, from what is known now: more while there are rims.
-    fn patience(&self, phase: &Phase, positions: &[DVec3]) -> usize {
-        let longer = self.cursor.step >= phase.max_steps && phase.untangle_steps > 0 && self.rims_at(positions) > 0;
-        if longer { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
-    }
-
-    /// Rims that are left in the end do not resolve any more; other random frames may do without them. When all
-    /// attempts are used up, the one with the fewest rims is kept.
-    fn draw_anew_if_tangled(&mut self) {
-        let Some(seed) = self.seed else { return };
-        if self.cursor.phase < self.phases.len() {
-            return;
-        }
-        let tangles = self.rims_at(&self.integrate());
-        if self.fewest_rims.as_ref().is_none_or(|(fewest, _)| tangles < *fewest) {
-            self.fewest_rims = Some((tangles, self.frames.clone()));
-        }
-        if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
-            self.cursor = Cursor { phase: 0, restarts: self.cursor.restarts + 1, ..self.cursor };
-            // Seeds of restarts are far from those that users write.
-            self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
-        } else if let Some((_, frames)) = self.fewest_rims.take() {
-            self.frames = frames;
-        }
-    }
-
-    /// The number of rims of the surface at these positions.
-    fn rims_at(&self, positions: &[DVec3]) -> usize {
-        let frames = frames_of_positions(&self.mesh, &self.metric, positions, &self.frames);
-        rims(&self.shell, &frames).len()
-    }
-
-    /// Goes on from frames and cursor of an earlier run of the same scene.
-    pub fn resume(&mut self, frames: Vec<DQuat>, cursor: Cursor) {
-        debug_assert_eq!(frames.len(), self.frames.len());
-        self.frames = frames;
-        self.cursor = cursor;
-    }
-
-    fn progress(&self, phase: &Phase) -> Progress {
-        Progress {
-            phase: self.cursor.phase,
-            phases: self.phases.len(),
-            restarts: self.cursor.restarts,
-            step: self.cursor.step,
-            max_steps: phase.max_steps,
-            turn: 0.0,
-            tolerance: phase.tolerance_radians.to_degrees(),
-            settled: false,
-            l2_length_error: 0.0,
-        }
-    }
-
-    /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
-    /// Returns the positions of that surface.
-    fn step(&mut self, phase: &Phase) -> Vec<DVec3> {
-        self.stepper.advance(&self.shell, &phase.step, &mut self.frames);
-        self.remove_periods(phase.periods);
-        let positions = self.integrate();
-        let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);
-        blend(&self.shell, &mut self.frames, &target, phase.feedback);
-        positions
-    }
-
-    /// Moves frames toward those of their own edge vectors without the harmonic part.
-    fn remove_periods(&mut self, amount: f64) {
-        if amount > 0.0 && !self.periods.is_empty() {
-            let mut vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
-            let harmonic = self.periods.harmonic_part(&self.mesh, &self.metric, &vectors);
-            vectors.iter_mut().zip(harmonic).for_each(|(v, h)| *v -= h);
-            let target = frames_of_edge_vectors(&self.mesh, &self.metric, &vectors, &self.frames);
-            blend(&self.shell, &mut self.frames, &target, amount);
-        }
-    }
-
-    /// Algorithm 7: positions from the averaged edge vectors.
-    fn integrate(&self) -> Vec<DVec3> {
-        let vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
-        self.poisson.solve(&self.mesh, &self.metric, &vectors, &self.pins)
-    }
-
-    /// Rims and measures of the frames as they are and the positions they integrate to.
-    fn realize(&self, positions: Vec<DVec3>) -> Frame {
-        let Self { mesh, metric, shell, .. } = self;
-        let rims = rims(shell, &frames_of_positions(mesh, metric, &positions, &self.frames));
-        let pinch_points = pinch_points(mesh, &positions);
-        let error = length_error(mesh, metric, &positions);
-        let class: Vec<bool> =
-            self.homology.generators().iter().map(|g| is_figure_8(mesh, &positions, &g.strip)).collect();
-        let stiffness = self.phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
-        let vectors = edge_vectors(mesh, metric, &self.frames);
-        let report = FrameReport {
-            frame: 1,
-            time: 0.0,
-            l2_length_error: error.l2,
-            max_length_error: error.max,
-            median_length_error: error.median,
-            p95_length_error: error.p95,
-            rims: rims.len(),
-            rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
-            pinch_points: pinch_points.len(),
-            spin_class: class_digits(&class),
-            energy: energy(shell, stiffness, &self.frames),
-            period_error: self.periods.relative_error(mesh, metric, &vectors),
-            cursor: self.cursor,
-            seconds: 0.0,
-            converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
-        };
-        Frame { positions, rims, pinch_points, report }
+    /// Goes on after a frame of an earlier run of the same scene, to the same bits.
+    ///
+    /// # Errors
+    /// [`EvolveError`] if the scene gives no metric at that time.
+    pub fn resume(&mut self, from: Checkpoint) -> Result<(), EvolveError> {
+        debug_assert_eq!(from.frames.len(), self.frames.len());
+        self.frame = from.frame;
+        self.time = self.clock.time(from.frame);
+        self.metric = Metric::new(&self.mesh, from.edge_lengths.clone())
+            .map_err(|error| EvolveError::Metric { time: self.time, error: AtKey { key: "metric".into(), error } })?;
+        self.spin = from.spin;
+        self.discretize()?;
+        self.frames = from.frames;
+        self.cursor = from.cursor;
+        self.previous = Some(Previous { positions: from.positions, rims: from.rims, edge_lengths: from.edge_lengths });
+        Ok(())
     }
 }
 
-/// How often frames are drawn anew at most.
-const MAX_RESTARTS: usize = 4;
-
-/// λ ← normalize((1 − t) λ + t λ*) with t = 1 − (1 − amount)^(Ā/A), which is `1 − exp(−Δt/(a A))` of Alg. 8 with
-/// a chosen such that a face of mean area Ā moves by `amount`.
-fn blend(shell: &Shell, frames: &mut [DQuat], target: &[DQuat], amount: f64) {
-    let mean = shell.mean_face_area();
-    for ((frame, target), area) in frames.iter_mut().zip(target).zip(&shell.face_areas) {
-        let t = 1.0 - libm::pow(1.0 - amount, mean / area);
-        *frame = (*frame * (1.0 - t) + *target * t).normalize();
-    }
+/// Whether the lengths of a metric are those of positions, up to rounding.
+fn are_lengths_of(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> bool {
+    let lengths = lengths_of_positions(mesh, positions);
+    metric.edge_lengths().iter().zip(lengths).all(|(a, b)| (a - b).abs() <= 1e-9 * a)
 }
 
+/// The frames to start from, and the seed of random ones. `shape` is that of [`initial_positions`].
 fn start(
-    section: StartSection,
+    from: &StartFrom,
     mesh: &Mesh,
     metric: &Metric,
     shell: &Shell,
-    positions: Option<&[DVec3]>,
-) -> Result<Vec<DQuat>, SetupError> {
-    let positions = || positions.ok_or(SetupError::StartWithoutPositions);
-    Ok(match section {
-        StartSection::Random(seed) => random_frames(mesh.face_count(), seed),
-        StartSection::Spectral => spectral_frames(shell),
-        StartSection::Mesh => rimless_frames(mesh, metric, shell, positions()?),
-        StartSection::Mirror => {
-            let mirrored: Vec<DVec3> = positions()?.iter().map(|p| DVec3::new(-p.x, p.y, p.z)).collect();
-            rimless_frames(mesh, metric, shell, &mirrored)
-        }
-    })
-}
-
-/// Target bending angles of `[bending]`, |E|, in radians.
-fn target_bending(
-    section: Option<&BendingSection>,
-    mesh: &Mesh,
-    positions: Option<&[DVec3]>,
-) -> Result<Option<Vec<f64>>, SetupError> {
-    let Some(section) = section else { return Ok(None) };
-    let angles = bending_angles(mesh, positions.ok_or(SetupError::BendingWithoutPositions)?);
-    Ok(Some(match section {
-        BendingSection::Mesh => angles,
-        // A reflection keeps the surface's orientation and turns every fold around.
-        BendingSection::Mirror => angles.into_iter().map(|angle| -angle).collect(),
-    }))
+    shape: Option<&[DVec3]>,
+) -> (Vec<DQuat>, Option<u64>) {
+    match (from, shape) {
+        (_, Some(shape)) => (rimless_frames(mesh, metric, shell, shape), None),
+        (StartFrom::Random(seed), _) => (random_frames(mesh.face_count(), *seed), Some(*seed)),
+        _ => (spectral_frames(shell), None),
+    }
 }

@@ -1,7 +1,10 @@
 //! Frames to positions and back, and what the result is worth.
 
 mod alignment;
+mod bending;
+mod deform;
 mod edge_vectors;
+mod initial_shape;
 mod measure;
 mod pins;
 mod poisson;
@@ -9,12 +12,15 @@ mod polar;
 mod spin_of_immersion;
 
 pub use alignment::RigidMotion;
+pub use bending::{BendingError, TargetBending};
+pub use deform::noise_displacement;
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
+pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
     LengthError, bending_angles, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
     rims,
 };
-pub use pins::{PinError, pins_from_scene};
+pub use pins::{PinError, Pins};
 pub use poisson::Poisson;
 pub use polar::{frames_of_edge_vectors, frames_of_positions, rotation_part};
 pub use spin_of_immersion::{rimless_frames, spin_from_scene, spin_of_immersion};

@@ -6,14 +6,16 @@ mod from_scene;
 mod ids;
 mod read;
 mod repair;
+mod selection;
 pub mod shapes;
 
 pub use connectivity::Mesh;
 pub use error::MeshError;
 pub use from_scene::from_scene;
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
-pub use read::{read, read_edge_lengths};
+pub use read::{read, read_edge_lengths, read_positions};
 pub use repair::{Repaired, repair};
+pub use selection::{SelectionError, select_edges, select_vertices};
 
 /// What a reader or a generator hands on: connectivity and what is known of the geometry.
 #[derive(Clone, Debug)]
@@ -22,8 +24,18 @@ pub struct Surface {
     pub mesh: Mesh,
     /// One position per vertex, where the source has any. Purely intrinsic sources have none.
     pub positions: Option<Vec<glam::DVec3>>,
+    /// Where each vertex lies in the chart that a purely intrinsic shape is made in: a point of the parallelogram of a
+    /// flat torus, or of the Poincaré disk. For formulas and selections.
+    pub coordinates: Option<Vec<glam::DVec3>>,
     /// One length per edge, where the source decrees them independently of positions.
     pub edge_lengths: Option<Vec<f64>>,
     /// What had to be changed to get a valid mesh, in words for a report.
     pub repairs: Vec<String>,
+}
+
+impl Surface {
+    /// Positions, or else coordinates: what x, y and z of a vertex mean in a scene.
+    pub fn places(&self) -> Option<&[glam::DVec3]> {
+        self.positions.as_deref().or(self.coordinates.as_deref())
+    }
 }

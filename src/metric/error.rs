@@ -18,8 +18,14 @@ pub enum MetricError {
          or use a mesh with positions"
     )]
     NoPositions,
-    #[error("formula `{formula}`: {reason}; it may use x, y, z (edge midpoint) and length")]
-    Formula { formula: String, reason: String },
+    #[error("the formula uses coordinates, but the mesh has no positions; use a mesh that has them")]
+    FormulaWithoutPositions,
+    #[error("the log scale factor of vertex {vertex} is {value}; it must be finite, correct the formula there")]
+    LogScale { vertex: usize, value: f64 },
+    #[error(transparent)]
+    Timeline(#[from] crate::timeline::TimelineError),
+    #[error(transparent)]
+    Selection(#[from] crate::mesh::SelectionError),
     #[error("the mesh has {vertices} vertices, but {values} target curvatures were given; give one per vertex")]
     TargetCount { vertices: usize, values: usize },
     #[error(

@@ -1,14 +1,16 @@
 //! Edge lengths and what they determine. Positions appear only as a source of lengths.
 
+mod change;
 mod conformal;
 mod error;
-mod from_scene;
 mod intrinsic;
+mod lengths;
+mod program;
 
 pub use conformal::{
     BoundaryCondition, CURVATURE_TOLERANCE, Conformal, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature,
     RicciFlow, uniformize,
 };
 pub use error::MetricError;
-pub use from_scene::from_scene;
 pub use intrinsic::{Metric, TRIANGLE_MARGIN, lengths_of_positions};
+pub use program::{MetricAt, MetricProgram};

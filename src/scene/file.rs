@@ -9,7 +9,7 @@ use toml::de::DeTable;
 use super::sections::root;
 use super::source::Source;
 use super::table::{Problems, Table};
-use super::{MeshSection, MetricSection, Scene, SceneError, SceneErrors};
+use super::{BendingFrom, LengthSource, MeshSection, Scene, SceneError, SceneErrors, StartFrom};
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;
@@ -74,16 +74,30 @@ impl Scene {
     /// name. Comments, camera, lights, look, output and checks do not count. A file that cannot be read
     /// counts as empty; the mesh or metric that wants it says so.
     pub fn simulation_fingerprint(&self) -> u32 {
-        let sections = (&self.mesh, &self.metric, &self.spin, &self.start, &self.phases);
+        let sections = (&self.mesh, &self.parameters, &self.metric, &self.spin, &self.start, &self.phases);
         let more = (&self.bending, &self.pins, &self.clock);
         let mut hasher = crc32fast::Hasher::new();
         hasher.update(format!("{sections:?}{more:?}").as_bytes());
-        let mesh = if let MeshSection::File(path) = &self.mesh { Some(path) } else { None };
-        let csv = if let MetricSection::Csv(path) = &self.metric { Some(path) } else { None };
-        for path in mesh.into_iter().chain(csv) {
+        for path in self.files() {
             hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
         }
         hasher.finalize()
+    }
+
+    /// The files that the scene names.
+    fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        let mesh = if let MeshSection::File(path) = &self.mesh { Some(path) } else { None };
+        let keys = self.metric.keys.iter().map(|key| &key.lengths);
+        let lengths = std::iter::once(&self.metric.lengths).chain(keys).filter_map(|source| match source {
+            LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
+            _ => None,
+        });
+        let start = if let StartFrom::File(path) = &self.start.from { Some(path) } else { None };
+        let bending = self.bending.as_ref().and_then(|bending| match &bending.from {
+            Some(BendingFrom::File(path)) => Some(path),
+            _ => None,
+        });
+        mesh.into_iter().chain(lengths).chain(start).chain(bending)
     }
 }
 

@@ -13,6 +13,9 @@
 mod data;
 mod error;
 mod file;
+mod metric_section;
+mod motion_sections;
+mod number;
 mod schema;
 mod sections;
 mod shapes;
@@ -22,5 +25,5 @@ mod table;
 mod value;
 
 pub use data::*;
-pub use error::{SceneError, SceneErrors};
+pub use error::{AtKey, SceneError, SceneErrors};
 pub use source::{Location, Source};

@@ -45,6 +45,16 @@ fn object(fields: &[Field]) -> Map<String, Json> {
     schema
 }
 
+/// Whether a list among these fields, or among those of their variants, is of the kind of the list `name`.
+fn refers_to(fields: &[Field], name: &str) -> bool {
+    fields.iter().any(|field| match &field.kind {
+        Kind::TablesLike(anchor) => *anchor == name,
+        Kind::Table(inner) | Kind::Tables(inner) => refers_to(inner, name),
+        Kind::Variants(variants) => variants.iter().any(|variant| refers_to(&variant.fields, name)),
+        _ => false,
+    })
+}
+
 fn rule(selector: &str, variant: &Variant) -> Json {
     let mut then = object(&variant.fields);
     then.remove("additionalProperties");
@@ -55,9 +65,11 @@ fn rule(selector: &str, variant: &Variant) -> Json {
 fn property(field: &Field) -> Json {
     let mut schema = match &field.kind {
         Kind::Tables(fields) => {
-            // The anchor is what a tree's inner lists refer to.
             let mut items = object(fields);
-            items.insert("$anchor".into(), field.name.into());
+            if refers_to(fields, field.name) {
+                // The anchor is what a tree's inner lists refer to.
+                items.insert("$anchor".into(), field.name.into());
+            }
             Map::from_iter([("type".into(), "array".into()), ("items".into(), items.into())])
         }
         kind => value(kind),
@@ -74,6 +86,10 @@ fn value(kind: &Kind) -> Map<String, Json> {
         Kind::Number(bounds) => return number("number", bounds),
         Kind::Integer(bounds) => return number("integer", bounds),
         Kind::Table(fields) | Kind::Tables(fields) => return object(fields),
+        Kind::ChangingNumber(bounds, fields) => {
+            json!({ "anyOf": [number("number", bounds), { "type": "string" }, object(fields)] })
+        }
+        Kind::Map(item) => json!({ "type": "object", "additionalProperties": value(item) }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Text => json!({ "type": "string" }),
         Kind::Color => json!({ "type": "string", "pattern": "^#[0-9A-Fa-f]{6}$" }),

@@ -1,18 +1,19 @@
 //! The sections of a scene, one function each: its keys, what they may be, and their defaults.
 
 use super::data::*;
+use super::metric_section::metric;
+use super::motion_sections::{bending, binary_digits, clock, pin, spin, start};
 use super::shapes::mesh;
 use super::table::Table;
 use super::value::{Color, Formats};
 
-/// Frame numbers have six digits in file names.
-const MAX_FRAMES: f64 = 999_999.0;
 const MAX_PIXELS: f64 = 16_384.0;
 
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
     Scene {
         mesh: table.table("mesh", "The surface: a file or a generated shape.", mesh),
+        parameters: table.map("parameters", "Numbers by name, for formulas; each may use those before it and `t`."),
         metric: table.table(
             "metric",
             "Its edge lengths; left out, those of the shape or of the mesh's positions.",
@@ -22,61 +23,15 @@ pub(super) fn root(table: &mut Table) -> Scene {
         start: table.table("start", "Where the frames start; left out, random = 0.", start),
         phases: table.tables("phase", "A stage of the relaxation; without any, the default ones.", phase),
         bending: table.optional_table("bending", "Target bending angles.", bending),
-        pins: table.tables("pin", "Vertices held in place.", pin),
-        clock: table.table("clock", "How many frames.", clock),
+        pins: table.tables("pin", "Vertices held in place or led along.", pin),
+        clock: table.table("clock", "Frames and their times.", clock),
         camera: table.table("camera", "The view; what is left out frames the surface by itself.", camera),
         lights: table.tables("light", "A directional light; without any, the studio's three.", light),
         look: table.table("look", "Colours and lines.", look),
         output: table.table("output", "Picture size and format.", output),
-        checks: table.table("checks", "What must hold on the last frame.", checks),
+        checks: table.table("checks", "What must hold, else the run fails.", checks),
         ..Scene::default()
     }
-}
-
-fn metric(table: &mut Table) -> MetricSection {
-    let length = table.key::<f64>("length", "The same length for every edge.").above(0.0).optional(0.05);
-    let csv =
-        table.key::<String>("csv", "A file of lines `u,v,length`, every edge once.").optional("lengths.csv".into());
-    let formula = table
-        .key::<String>("formula", "An expression in x, y, z of the edge midpoint and `length`, the length of the mesh.")
-        .optional("length * (1 + 0.2 * z)".into());
-    table.only_one_of(&["length", "csv", "formula"]);
-    match (length, csv, formula) {
-        (Some(length), _, _) => MetricSection::Uniform(length),
-        (_, Some(csv), _) => MetricSection::Csv(csv.into()),
-        (_, _, Some(formula)) => MetricSection::Formula(formula),
-        _ => MetricSection::OfMesh,
-    }
-}
-
-fn spin(table: &mut Table) -> SpinSection {
-    let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions.";
-    match table.key::<String>("class", doc).optional("01".into()) {
-        None => SpinSection::Automatic,
-        Some(class) if class == "immersion" => SpinSection::Immersion,
-        Some(class) => SpinSection::Digits(binary_digits(table, "class", class)),
-    }
-}
-
-/// Passes a class on, and reports it if it is not one.
-fn binary_digits(table: &Table, key: &str, class: String) -> String {
-    if !class.bytes().all(|b| matches!(b, b'0' | b'1')) {
-        let reason = format!("`{key}` is the string {class:?}, a class has one digit 0 or 1 per generator");
-        let also = if table.title() == "[spin]" { ", or \"immersion\" for that of the mesh's positions" } else { "" };
-        table.complain(key, reason, format!("write for example {key} = \"01\"{also}"));
-    }
-    class
-}
-
-fn start(table: &mut Table) -> StartSection {
-    let random = table.key::<u64>("random", "Independent uniform frames from this seed.").optional(7);
-    let from = table.choice(
-        "from",
-        "Frames of the mesh's positions, of their mirror image, or lowest modes of the connection Laplacian.",
-        &[("mesh", StartSection::Mesh), ("mirror", StartSection::Mirror), ("spectral", StartSection::Spectral)],
-    );
-    table.only_one_of(&["random", "from"]);
-    from.or(random.map(StartSection::Random)).unwrap_or_default()
 }
 
 fn phase(table: &mut Table) -> PhaseSection {
@@ -133,47 +88,6 @@ fn phase(table: &mut Table) -> PhaseSection {
         table.complain("min_steps", reason, format!("write at most {most}, or raise `max_steps`"));
     }
     phase
-}
-
-fn bending(table: &mut Table) -> BendingSection {
-    let doc = "Angles of the mesh's positions, or of their mirror image.";
-    let from = table.choice("from", doc, &[("mesh", BendingSection::Mesh), ("mirror", BendingSection::Mirror)]);
-    if table.has_none_of(&["from"]) {
-        table.complain("from", "[bending] has no `from`", "add from = \"mesh\" or from = \"mirror\"");
-    }
-    from.unwrap_or(BendingSection::Mesh)
-}
-
-fn pin(table: &mut Table) -> PinSection {
-    let pin = PinSection {
-        vertices: table.key("vertices", "Vertices by index, counted from 0.").required(vec![0, 1]),
-        positions: table
-            .key("positions", "Where they belong, one [x, y, z] per vertex; left out, where the mesh's positions are.")
-            .or(Vec::new()),
-    };
-    let (vertices, positions) = (pin.vertices.len(), pin.positions.len());
-    if vertices == 0 {
-        table.complain("vertices", "`vertices` is empty", "name at least one vertex, or remove this [[pin]]");
-    } else if positions > 0 && positions != vertices && table.has("vertices") {
-        let reason = format!("there are {positions} positions for {vertices} vertices");
-        table.complain("positions", reason, "give one [x, y, z] per vertex");
-    }
-    pin
-}
-
-fn clock(table: &mut Table) -> ClockSection {
-    let default = ClockSection::default();
-    ClockSection {
-        frames: table
-            .key("frames", "Number of frames; 1 is a static scene, the relaxed surface.")
-            .at_least(1.0)
-            .at_most(MAX_FRAMES)
-            .or(default.frames),
-        steps_per_frame: table
-            .key("steps_per_frame", "Steps between the frames of a film of the relaxation.")
-            .at_least(1.0)
-            .or(default.steps_per_frame),
-    }
 }
 
 fn camera(table: &mut Table) -> CameraSection {
@@ -249,8 +163,48 @@ fn checks(table: &mut Table) -> ChecksSection {
         max_rims: table.key("max_rims", "Bound on the number of rims.").optional(0),
         max_pinch_points: table.key("max_pinch_points", "Bound on the number of pinch points.").optional(0),
         class: table
-            .key::<String>("class", "The class the result must have, one digit 0 or 1 per generator.")
+            .key::<String>("class", "The class that every frame must have, one digit 0 or 1 per generator.")
             .optional("01".into())
             .map(|class| binary_digits(table, "class", class)),
+        max_curvature_error: table
+            .key(
+                "max_curvature_error",
+                "Bound on the distance of every curvature from the target of a flow, in radians.",
+            )
+            .at_least(0.0)
+            .optional(1e-10),
+        max_mean_distance: table
+            .key(
+                "max_mean_distance",
+                "Bound on the mean distance to the mesh's own positions, relative to their diameter.",
+            )
+            .at_least(0.0)
+            .optional(0.001),
+        max_pin_distance: table
+            .key("max_pin_distance", "Bound on the distance of pinned vertices from where they belong.")
+            .at_least(0.0)
+            .optional(1e-9),
+        film: table.table("film", "Bounds on all frames.", film_checks),
+    }
+}
+
+fn film_checks(table: &mut Table) -> FilmChecksSection {
+    FilmChecksSection {
+        max_l2_length_error: table
+            .key("max_l2_length_error", "Bound on the length error of every frame.")
+            .at_least(0.0)
+            .optional(0.01),
+        median_l2_length_error: table
+            .key("median_l2_length_error", "Bound on the length error of the median frame.")
+            .at_least(0.0)
+            .optional(0.01),
+        max_rims: table.key("max_rims", "Bound on the number of rims of every frame.").optional(0),
+        max_jump: table
+            .key(
+                "max_jump",
+                "Bound on the largest move of a vertex between frames, in units of the median of these largest moves.",
+            )
+            .above(0.0)
+            .optional(10.0),
     }
 }

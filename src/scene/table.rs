@@ -88,6 +88,43 @@ impl<'a> Table<'a> {
         }
     }
 
+    /// Whether the table is in the file.
+    pub(super) fn is_given(&self) -> bool {
+        self.entries.is_some()
+    }
+
+    /// Reads a table whose keys are up to the file, in the order in which they stand there.
+    pub(super) fn map<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Vec<(String, T)> {
+        let mut entries = Vec::new();
+        if let Some((_, value)) = self.entry(name) {
+            match value.get_ref().as_table() {
+                Some(table) => entries.extend(table.iter()),
+                None => {
+                    let reason = format!("`{name}` is {}, it must be a table", shown(value.get_ref()));
+                    self.report(
+                        value.span(),
+                        reason,
+                        format!("write [{name}] on a line of its own, with its keys below"),
+                    );
+                }
+            }
+        }
+        entries.sort_by_key(|(key, _)| key.span().start);
+        let read = |(key, value): (&Spanned<toml::de::DeString>, &Spanned<DeValue>)| {
+            let key = key.get_ref().to_string();
+            match T::read(&key, value, Bounds::default(), &format!("{key} = 1")) {
+                Ok(value) => Some((key, value)),
+                Err(problem) => {
+                    self.problems.borrow_mut().push(problem);
+                    None
+                }
+            }
+        };
+        let values = entries.into_iter().filter_map(read).collect();
+        self.declare(name, doc, Kind::Map(Box::new(T::kind(Bounds::default()))));
+        values
+    }
+
     /// Declares a key; the call is completed by [`Key::or`], [`Key::required`] or [`Key::optional`].
     pub(super) fn key<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Key<'_, 'a, T> {
         Key { table: self, name, doc, bounds: Bounds::default(), value: PhantomData }

@@ -55,6 +55,10 @@ pub(super) enum Kind {
         item: Box<Kind>,
         length: Option<usize>,
     },
+    /// A number, a formula or keyframes.
+    ChangingNumber(Bounds, Vec<Field>),
+    /// A table whose keys are up to the file.
+    Map(Box<Kind>),
     Table(Vec<Field>),
     Tables(Vec<Field>),
     /// Tables of the kind of the key named here, for trees.
@@ -96,7 +100,10 @@ impl Kind {
                 format!("a list of {length} entries, each {}", item.sentence())
             }
             Kind::Array { length: None, item } => format!("a list, each entry {}", item.sentence()),
-            Kind::Table(_) => "a table".into(),
+            Kind::ChangingNumber(bounds, _) => {
+                format!("a number{}, a formula in quotes or {{ times = […], values = […] }}", bounds.sentence())
+            }
+            Kind::Map(_) | Kind::Table(_) => "a table".into(),
             Kind::Tables(_) | Kind::TablesLike(_) => "a list of tables".into(),
             Kind::Variants(_) => "a name".into(),
         }

@@ -187,7 +187,7 @@ pub fn scene(text: &str) -> Scene {
 
 /// A surface that is known by its positions.
 pub fn embedded(mesh: Mesh, positions: Vec<DVec3>) -> Surface {
-    Surface { mesh, positions: Some(positions), edge_lengths: None, repairs: Vec::new() }
+    Surface { mesh, positions: Some(positions), coordinates: None, edge_lengths: None, repairs: Vec::new() }
 }
 
 /// Largest distance between two points of a set.

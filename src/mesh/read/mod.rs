@@ -11,7 +11,7 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::{MeshError, Surface, repair};
+use super::{Mesh, MeshError, Surface, repair};
 
 pub use csv::read_edge_lengths;
 
@@ -55,7 +55,27 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
         .positions
         .filter(|all| all.iter().any(|p| *p != all[0]))
         .map(|all| repaired.input_vertices.iter().map(|&v| all[v]).collect());
-    Ok(Surface { mesh: repaired.mesh, positions, edge_lengths: None, repairs: repaired.repairs })
+    Ok(Surface { mesh: repaired.mesh, positions, coordinates: None, edge_lengths: None, repairs: repaired.repairs })
+}
+
+/// Reads the vertex positions of a file whose faces are those of the mesh, in the same order; |V| values.
+///
+/// # Errors
+/// As [`read`], and [`MeshError::File`] if the faces are others or there are no positions.
+pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError> {
+    let surface = read(path)?;
+    let fail = |reason: String, remedy: &str| MeshError::File { path: path.into(), reason, remedy: remedy.into() };
+    let [here, there] = [mesh, &surface.mesh].map(Mesh::triangles);
+    if here != there {
+        let reason = match here.iter().zip(&there).position(|(a, b)| a != b) {
+            Some(face) if here.len() == there.len() => {
+                format!("face {face} has vertices {:?}, in the mesh of the scene {:?}", there[face], here[face])
+            }
+            _ => format!("it has {} faces, the mesh of the scene has {}", there.len(), here.len()),
+        };
+        return Err(fail(reason, "use a mesh with the same faces in the same order, only its positions may differ"));
+    }
+    surface.positions.ok_or_else(|| fail("it has no positions".into(), "use a file that has them"))
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshError> {

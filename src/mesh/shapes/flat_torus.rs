@@ -49,7 +49,13 @@ pub fn flat_torus(a: [f64; 2], b: [f64; 2], columns: usize, rows: usize, grid: G
             (a * (0.5 * across as f64 / columns as f64) + b * (up as f64 / rows as f64)).length()
         })
         .collect();
-    Ok(Surface { mesh, positions: None, edge_lengths: Some(edge_lengths), repairs: Vec::new() })
+    let place = |v: usize| {
+        let (i, j) = (v % columns, v / columns);
+        let across = (i as f64 + 0.5 * layout.half_columns(j) as f64) / columns as f64;
+        (a * across + b * (j as f64 / rows as f64)).extend(0.0)
+    };
+    let coordinates = Some((0..columns * rows).map(place).collect());
+    Ok(Surface { mesh, positions: None, coordinates, edge_lengths: Some(edge_lengths), repairs: Vec::new() })
 }
 
 /// The representative of least absolute value modulo `period`.

@@ -14,7 +14,8 @@ const SHAPE: &str = "hyperbolic_disk";
 const ROUNDS: usize = 5;
 
 /// A disk of geodesic `radius` in the plane of constant `curvature` < 0, with about `faces` well-shaped
-/// triangles of equal size. It has the geodesic distances as edge lengths, and no positions.
+/// triangles of equal size. It has the geodesic distances as edge lengths, no positions, and coordinates in the
+/// Poincaré disk, where the centre is the origin and the whole plane the unit disk.
 ///
 /// Vertex 0 is near the centre; the boundary vertices are the last ones, counterclockwise.
 ///
@@ -58,7 +59,9 @@ pub fn hyperbolic_disk(curvature: f64, radius: f64, faces: usize) -> Result<Surf
             unit * distance(points[u.index()], points[v.index()])
         })
         .collect();
-    Ok(Surface { mesh, positions: None, edge_lengths: Some(edge_lengths), repairs: Vec::new() })
+    // Stereographic projection to the Poincaré disk.
+    let coordinates = Some(points.iter().map(|p| DVec3::new(p.x, p.y, 0.0) / (1.0 + p.z)).collect());
+    Ok(Surface { mesh, positions: None, coordinates, edge_lengths: Some(edge_lengths), repairs: Vec::new() })
 }
 
 /// A point of the hyperboloid `z² = 1 + x² + y²`, `z` > 0; the centre of the disk is (0, 0, 1).

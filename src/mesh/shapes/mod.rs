@@ -32,5 +32,5 @@ pub use torus::torus;
 /// A surface known by its positions.
 fn embedded(positions: Vec<DVec3>, faces: &[[u32; 3]]) -> Result<Surface, MeshError> {
     let mesh = Mesh::from_faces(positions.len(), faces)?;
-    Ok(Surface { mesh, positions: Some(positions), edge_lengths: None, repairs: Vec::new() })
+    Ok(Surface { mesh, positions: Some(positions), coordinates: None, edge_lengths: None, repairs: Vec::new() })
 }

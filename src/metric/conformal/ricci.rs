@@ -125,6 +125,17 @@ impl RicciFlow {
         Ok(u)
     }
 
+    /// How far the curvature of any vertex of a metric (|E| lengths) is from its target, in radians.
+    ///
+    /// # Errors
+    /// [`MetricError::TriangleInequality`]
+    pub fn curvature_error(&self, mesh: &Mesh, edge_lengths: &[f64]) -> Result<f64, MetricError> {
+        let triangulation = Triangulation::new(mesh, edge_lengths);
+        let shape = triangulation.shape(&vec![0.0; mesh.vertex_count()])?;
+        let target = self.goal.curvature(&triangulation, &shape);
+        Ok(shape.curvature.iter().zip(target).map(|(k, target)| (k - target).abs()).fold(0.0, f64::max))
+    }
+
     /// One step of the length that the error allows.
     fn advance(&mut self) -> Result<(), MetricError> {
         loop {

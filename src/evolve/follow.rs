@@ -1,0 +1,108 @@
+//! From one frame to the next: the metric moves on, and the class does not (App. B.2).
+
+use super::discretization::Discretization;
+use super::{Cursor, EvolveError, Observer, Settling, Simulation};
+use crate::metric::MetricAt;
+use crate::spin::{ChangeOfMetric, class_digits};
+
+/// Steps on the way to the time of a frame; it has to settle only there.
+const STEPS_ON_THE_WAY: usize = 3;
+
+impl Simulation {
+    /// Follows metric, bending and pins to a time, in parts none of which strains the surface much.
+    pub(super) fn follow(
+        &mut self,
+        time: f64,
+        settling: &Settling,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
+        let phase = settling.phase(&self.phases);
+        let parts = self.parts_to(time, settling.max_strain)?;
+        let from = self.time;
+        for part in 1..=parts {
+            let there = if part == parts { time } else { from + (time - from) * part as f64 / parts as f64 };
+            self.move_to(there)?;
+            let steps = if part == parts { settling.max_steps } else { STEPS_ON_THE_WAY };
+            self.cursor = Cursor { phase: self.phases.len(), step: 0, ..self.cursor };
+            self.run_phase(&phase, steps, observer)?;
+        }
+        self.cursor = Cursor { phase: self.phases.len(), step: 0, ..self.cursor };
+        Ok(())
+    }
+
+    /// How many parts the way to a time is to be cut into.
+    fn parts_to(&mut self, time: f64, max_strain: f64) -> Result<usize, EvolveError> {
+        let there = self.metric_at(time)?.metric;
+        let mean_length = self.metric.edge_lengths().iter().sum::<f64>() / self.mesh.edge_count() as f64;
+        let shift = self.pins.at(time)?;
+        let longest = shift.iter().zip(&self.places).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);
+        let parts = (strain(self.metric.edge_lengths(), there.edge_lengths()) / max_strain).max(longest / mean_length);
+        Ok((parts.ceil() as usize).max(1))
+    }
+
+    /// Takes metric, bending and pins to a time, with spin structure and frames.
+    pub(super) fn move_to(&mut self, time: f64) -> Result<(), EvolveError> {
+        let MetricAt { metric, curvature_error } = self.metric_at(time)?;
+        self.curvature_error = curvature_error;
+        self.time = time;
+        let changed = metric.edge_lengths() != self.metric.edge_lengths();
+        if changed {
+            let change = ChangeOfMetric::new(&self.mesh, &self.spin, &self.metric, &metric);
+            change.carry(&mut self.frames);
+            self.spin = change.spin;
+            self.metric = metric;
+        }
+        if changed || self.bending.as_ref().is_some_and(|bending| bending.changes()) || self.pins.changes() {
+            self.discretize()?;
+        }
+        Ok(())
+    }
+
+    /// What follows from metric, spin structure, bending and pins at the present time.
+    pub(super) fn discretize(&mut self) -> Result<(), EvolveError> {
+        let angles = self.bending.as_ref().map(|bending| bending.at(self.time));
+        self.places = self.pins.at(self.time)?;
+        let Simulation { mesh, metric, spin, homology, pins, .. } = self;
+        self.parts = Discretization::new(mesh, metric, spin, homology, angles.as_deref(), pins.vertices())
+            .map_err(|error| EvolveError::Poisson { time: self.time, error })?;
+        Ok(())
+    }
+
+    fn metric_at(&mut self, time: f64) -> Result<MetricAt, EvolveError> {
+        self.program.at(&self.mesh, time).map_err(|error| EvolveError::Metric { time, error })
+    }
+
+    /// Theorem: the class of every generator and the figure-0 stars are what they were. Rounding could break it.
+    pub(super) fn verify_class(&self) -> Result<(), EvolveError> {
+        let stars = self.spin.figure_8_vertices(&self.mesh, &self.metric);
+        let class = self.spin.class(&self.mesh, &self.metric, &self.homology);
+        if let Some(vertex) = stars.first() {
+            return Err(EvolveError::StarChanged { time: self.time, vertex: *vertex });
+        }
+        if class != self.class {
+            let [before, after] = [&self.class, &class].map(|class| class_digits(class));
+            return Err(EvolveError::ClassChanged { time: self.time, before, after });
+        }
+        Ok(())
+    }
+
+    /// Whether the scene gives a metric and places for pins at the times of all frames, found without simulating.
+    ///
+    /// # Errors
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`] at the first time at which it does not.
+    pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
+        let clock = self.clock;
+        for time in clock.times() {
+            if self.program.changes() {
+                self.metric_at(time)?;
+            }
+            self.pins.at(time)?;
+        }
+        Ok(())
+    }
+}
+
+/// The largest change of an edge's length between two lists of them, as a share of it.
+pub(super) fn strain(before: &[f64], after: &[f64]) -> f64 {
+    before.iter().zip(after).map(|(a, b)| libm::log(b / a).abs()).fold(0.0, f64::max)
+}

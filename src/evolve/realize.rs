@@ -1,0 +1,105 @@
+//! The measures of a frame.
+
+use super::follow::strain;
+use super::simulation::Previous;
+use super::{Frame, FrameReport, Simulation};
+use crate::frames::energy;
+use crate::immersion::*;
+use crate::mesh::{EdgeId, Mesh};
+use crate::metric::Metric;
+use crate::spin::class_digits;
+use glam::DVec3;
+use rayon::prelude::*;
+
+impl Simulation {
+    /// Rims and measures of the frames as they are and the positions they integrate to.
+    pub(super) fn realize(&mut self, positions: Vec<DVec3>) -> Frame {
+        let Self { mesh, metric, homology, frames, .. } = &*self;
+        let shell = &self.parts.shell;
+        let rims = rims(shell, &frames_of_positions(mesh, metric, &positions, frames));
+        let pinch_points = pinch_points(mesh, &positions);
+        let error = length_error(mesh, metric, &positions);
+        let class: Vec<bool> = homology.generators().iter().map(|g| is_figure_8(mesh, &positions, &g.strip)).collect();
+        let stiffness = self.phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
+        let vectors = edge_vectors(mesh, metric, frames);
+        let mut report = FrameReport {
+            frame: self.frame,
+            time: self.time,
+            l2_length_error: error.l2,
+            max_length_error: error.max,
+            median_length_error: error.median,
+            p95_length_error: error.p95,
+            rims: rims.len(),
+            rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
+            pinch_points: pinch_points.len(),
+            spin_class: class_digits(&class),
+            energy: energy(shell, stiffness, frames),
+            period_error: self.parts.periods.relative_error(mesh, metric, &vectors),
+            curvature_error: self.curvature_error,
+            mean_distance: self.original.as_ref().map(|original| mean_distance(mesh, metric, original, &positions)),
+            pin_distance: self.pin_distance(&positions),
+            cursor: self.cursor,
+            converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
+            ..FrameReport::default()
+        };
+        if let Some(previous) = &self.previous {
+            let mut moves: Vec<f64> = positions.iter().zip(&previous.positions).map(|(a, b)| a.distance(*b)).collect();
+            moves.sort_unstable_by(f64::total_cmp);
+            report.median_move = moves[moves.len() / 2];
+            report.max_move = moves[moves.len() - 1];
+            report.strain = strain(&previous.edge_lengths, metric.edge_lengths());
+            [report.rims_born, report.rims_died, report.rims_moved] = rim_changes(mesh, &previous.rims, &rims);
+        }
+        self.previous = Some(Previous {
+            positions: positions.clone(),
+            rims: rims.clone(),
+            edge_lengths: metric.edge_lengths().to_vec(),
+        });
+        Frame { positions, rims, pinch_points, report }
+    }
+
+    /// The largest distance of a pinned vertex from its place; `None` without pins.
+    fn pin_distance(&self, positions: &[DVec3]) -> Option<f64> {
+        let distances = self.places.iter().map(|(v, place)| positions[v.index()].distance(*place));
+        distances.reduce(f64::max)
+    }
+}
+
+/// Mean distance of a surface from the original after rigid alignment, over the original's diameter.
+fn mean_distance(mesh: &Mesh, metric: &Metric, original: &[DVec3], positions: &[DVec3]) -> f64 {
+    let areas = metric.vertex_areas(mesh);
+    let motion = RigidMotion::onto(original, positions, &areas);
+    let distance = |((p, q), area): ((&DVec3, &DVec3), &f64)| area * motion.point(*p).distance(*q);
+    let sum: f64 = positions.iter().zip(original).zip(&areas).map(distance).sum();
+    sum / areas.iter().sum::<f64>() / diameter(original)
+}
+
+/// The largest distance that walking to the farthest point finds: the diameter or little less.
+fn diameter(points: &[DVec3]) -> f64 {
+    let mut longest: f64 = 0.0;
+    let mut from = points[0];
+    for _ in 0..4 {
+        let far = points.par_iter().copied().map(|p| (p.distance_squared(from), p));
+        let Some((squared, to)) = far.max_by(|a, b| a.0.total_cmp(&b.0)) else { break };
+        longest = longest.max(squared.sqrt());
+        from = to;
+    }
+    longest
+}
+
+/// Rims that appeared, vanished, and moved to an edge that shares a vertex.
+fn rim_changes(mesh: &Mesh, before: &[EdgeId], after: &[EdgeId]) -> [usize; 3] {
+    let mut gone: Vec<EdgeId> = before.iter().filter(|e| !after.contains(e)).copied().collect();
+    let (mut born, mut moved) = (0, 0);
+    for e in after.iter().filter(|e| !before.contains(e)) {
+        let ends = mesh.edge_vertices(*e);
+        match gone.iter().position(|g| mesh.edge_vertices(*g).iter().any(|v| ends.contains(v))) {
+            Some(k) => {
+                gone.swap_remove(k);
+                moved += 1;
+            }
+            None => born += 1,
+        }
+    }
+    [born, gone.len(), moved]
+}

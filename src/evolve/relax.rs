@@ -1,0 +1,145 @@
+//! The relaxation: phases, THE step, and when it ends.
+
+use super::acceleration::Acceleration;
+use super::{Cursor, EvolveError, Observer, Phase, Progress, Simulation};
+use crate::frames::{Shell, random_frames};
+use crate::immersion::*;
+use glam::{DQuat, DVec3};
+
+/// How often frames are drawn anew at most.
+const MAX_RESTARTS: usize = 4;
+
+impl Simulation {
+    /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases.
+    pub(super) fn run_all_phases(&mut self, observer: &mut dyn Observer) -> Result<(), EvolveError> {
+        while self.cursor.phase < self.phases.len() {
+            self.run_steps(usize::MAX, observer)?;
+            self.draw_anew_if_tangled();
+        }
+        Ok(())
+    }
+
+    /// Relaxes the frames by some steps, or until all phases are done.
+    pub(super) fn run_steps(&mut self, steps: usize, observer: &mut dyn Observer) -> Result<(), EvolveError> {
+        let mut left = steps;
+        while left > 0
+            && let Some(phase) = self.phases.get(self.cursor.phase).copied()
+        {
+            left -= self.run_phase(&phase, left, observer)?;
+        }
+        Ok(())
+    }
+
+    /// At most `left` steps of a phase; says how many were taken, and moves the cursor on when the phase is done.
+    pub(super) fn run_phase(
+        &mut self,
+        phase: &Phase,
+        left: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<usize, EvolveError> {
+        let mut acceleration = Acceleration::default();
+        for taken in 1..=left {
+            let before = self.frames.clone();
+            let positions = self.step(phase);
+            self.cursor.step += 1;
+            self.cursor.steps += 1;
+            let turn = mean_turn(&self.parts.shell, &before, &self.frames);
+            if !turn.is_finite() {
+                return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
+            }
+            let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
+            let max_steps = self.patience(phase, &positions);
+            let progress = Progress {
+                frame: self.frame + 1,
+                phase: self.cursor.phase,
+                phases: self.phases.len(),
+                restarts: self.cursor.restarts,
+                step: self.cursor.step,
+                max_steps,
+                turn: turn.to_degrees(),
+                tolerance: phase.tolerance_radians.to_degrees(),
+                settled,
+                l2_length_error: l2_length_error(&self.mesh, &self.metric, &positions),
+            };
+            if observer.after_step(&progress).is_break() {
+                return Err(EvolveError::Stopped { steps: self.cursor.steps });
+            }
+            if settled || self.cursor.step >= max_steps {
+                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
+                return Ok(taken);
+            }
+            if phase.accelerate {
+                acceleration.correct(&before, &mut self.frames);
+            }
+        }
+        Ok(left)
+    }
+
+    /// How many steps the phase may take, from what is known now: more while there are rims.
+    fn patience(&self, phase: &Phase, positions: &[DVec3]) -> usize {
+        let longer = self.cursor.step >= phase.max_steps && phase.untangle_steps > 0 && self.rims_at(positions) > 0;
+        if longer { phase.max_steps + phase.untangle_steps } else { phase.max_steps }
+    }
+
+    /// Rims that are left in the end do not resolve any more; other random frames may do without them. When all
+    /// attempts are used up, the one with the fewest rims is kept.
+    fn draw_anew_if_tangled(&mut self) {
+        let Some(seed) = self.seed else { return };
+        let tangles = self.rims_at(&self.integrate());
+        if self.fewest_rims.as_ref().is_none_or(|(fewest, _)| tangles < *fewest) {
+            self.fewest_rims = Some((tangles, self.frames.clone()));
+        }
+        if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
+            self.cursor = Cursor { phase: 0, restarts: self.cursor.restarts + 1, ..self.cursor };
+            // Seeds of restarts are far from those that users write.
+            self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
+        } else if let Some((_, frames)) = self.fewest_rims.take() {
+            self.frames = frames;
+        }
+    }
+
+    /// The number of rims of the surface at these positions.
+    fn rims_at(&self, positions: &[DVec3]) -> usize {
+        let frames = frames_of_positions(&self.mesh, &self.metric, positions, &self.frames);
+        rims(&self.parts.shell, &frames).len()
+    }
+
+    /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
+    /// Returns the positions of that surface.
+    fn step(&mut self, phase: &Phase) -> Vec<DVec3> {
+        self.stepper.advance(&self.parts.shell, &phase.step, &mut self.frames);
+        self.remove_periods(phase.periods);
+        let positions = self.integrate();
+        let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);
+        blend(&self.parts.shell, &mut self.frames, &target, phase.feedback);
+        positions
+    }
+
+    /// Moves frames toward those of their own edge vectors without the harmonic part.
+    fn remove_periods(&mut self, amount: f64) {
+        let periods = &self.parts.periods;
+        if amount > 0.0 && !periods.is_empty() {
+            let mut vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
+            let harmonic = periods.harmonic_part(&self.mesh, &self.metric, &vectors);
+            vectors.iter_mut().zip(harmonic).for_each(|(v, h)| *v -= h);
+            let target = frames_of_edge_vectors(&self.mesh, &self.metric, &vectors, &self.frames);
+            blend(&self.parts.shell, &mut self.frames, &target, amount);
+        }
+    }
+
+    /// Algorithm 7: positions from the averaged edge vectors.
+    pub(super) fn integrate(&self) -> Vec<DVec3> {
+        let vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
+        self.parts.poisson.solve(&self.mesh, &self.metric, &vectors, &self.places)
+    }
+}
+
+/// λ ← normalize((1 − t) λ + t λ*) with t = 1 − (1 − amount)^(Ā/A), which is `1 − exp(−Δt/(a A))` of Alg. 8 with
+/// a chosen such that a face of mean area Ā moves by `amount`.
+fn blend(shell: &Shell, frames: &mut [DQuat], target: &[DQuat], amount: f64) {
+    let mean = shell.mean_face_area();
+    for ((frame, target), area) in frames.iter_mut().zip(target).zip(&shell.face_areas) {
+        let t = 1.0 - libm::pow(1.0 - amount, mean / area);
+        *frame = (*frame * (1.0 - t) + *target * t).normalize();
+    }
+}

@@ -1,0 +1,90 @@
+//! Target bending angles of a scene (Sec. 6.3), at each time.
+
+use super::bending_angles;
+use crate::mesh::{EdgeId, Mesh, MeshError, SelectionError, read_positions, select_edges};
+use crate::scene::{AtKey, BendingFrom, BendingSection};
+use crate::timeline::{Number, Parameters, TimelineError};
+use glam::DVec3;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Why target angles are refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum BendingError {
+    /// Angles of positions that do not exist.
+    #[error("bending angles are to come from positions, but the mesh has none; use a mesh that has them, or a `file`")]
+    NoPositions,
+    /// The other mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// An amount or angle.
+    #[error(transparent)]
+    Timeline(#[from] TimelineError),
+    /// A region.
+    #[error(transparent)]
+    Selection(#[from] SelectionError),
+}
+
+/// Target bending angles at all times.
+#[derive(Clone, Debug)]
+pub struct TargetBending {
+    /// |E|, in radians.
+    angles: Vec<f64>,
+    amount: Number,
+    /// Edges with an angle of their own, in degrees.
+    regions: Vec<(Vec<EdgeId>, Number)>,
+}
+
+impl TargetBending {
+    /// Validates what the scene says; `positions` are those of the mesh, `places` what edges are
+    /// selected by.
+    ///
+    /// # Errors
+    /// [`BendingError`] with the key of the scene that is at fault.
+    pub fn from_scene(
+        section: &BendingSection,
+        folder: &Path,
+        mesh: &Mesh,
+        [positions, places]: [Option<&[DVec3]>; 2],
+        parameters: &Arc<Parameters>,
+    ) -> Result<TargetBending, AtKey<BendingError>> {
+        let of_mesh = || match positions {
+            Some(positions) => Ok(bending_angles(mesh, positions)),
+            None => Err(AtKey { key: "bending.from".into(), error: BendingError::NoPositions }),
+        };
+        let angles = match &section.from {
+            None => vec![0.0; mesh.edge_count()],
+            Some(BendingFrom::Mesh) => of_mesh()?,
+            // A reflection keeps the surface's orientation and turns every fold around.
+            Some(BendingFrom::Mirror) => of_mesh()?.into_iter().map(|angle| -angle).collect(),
+            Some(BendingFrom::File(path)) => {
+                bending_angles(mesh, &read_positions(&folder.join(path), mesh).map_err(AtKey::of("bending.file"))?)
+            }
+        };
+        let amount = Number::from_scene(&section.amount, parameters).map_err(AtKey::of("bending.amount"))?;
+        let mut regions = Vec::new();
+        for (k, region) in section.regions.iter().enumerate() {
+            let key = format!("bending.region[{k}]");
+            let edges = select_edges(&region.edges, mesh, places).map_err(AtKey::of(&*key))?;
+            let angle = Number::from_scene(&region.angle, parameters).map_err(AtKey::of(format!("{key}.angle")))?;
+            regions.push((edges, angle));
+        }
+        Ok(TargetBending { angles, amount, regions })
+    }
+
+    /// Whether any depends on time.
+    pub fn changes(&self) -> bool {
+        self.amount.changes() || self.regions.iter().any(|(_, angle)| angle.changes())
+    }
+
+    /// The targets at a time in radians, |E|; those of boundary edges mean nothing.
+    pub fn at(&self, time: f64) -> Vec<f64> {
+        let amount = self.amount.at(time);
+        let mut angles: Vec<f64> = self.angles.iter().map(|angle| amount * angle).collect();
+        for (edges, angle) in &self.regions {
+            let angle = angle.at(time).to_radians();
+            edges.iter().for_each(|e| angles[e.index()] = angle);
+        }
+        angles
+    }
+}

@@ -1,0 +1,69 @@
+//! The positions that frames start from: the mesh, its mirror image or a file, deformed as the scene says.
+
+use super::noise_displacement;
+use crate::mesh::{Mesh, MeshError, read_positions};
+use crate::scene::{AtKey, StartFrom, StartSection};
+use crate::timeline::{Formula, Parameters, TimelineError};
+use glam::DVec3;
+use std::path::Path;
+use std::sync::Arc;
+
+/// Why there is nothing to start from.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the fields are what the messages say they are
+pub enum StartError {
+    #[error(
+        "the frames are to start from positions, but the mesh has none; write `random = 0`, name a `file`, or use a mesh that has them"
+    )]
+    NoPositions,
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    #[error(transparent)]
+    Timeline(#[from] TimelineError),
+    #[error("vertex {vertex} would be moved to {place:?}; correct the formula there")]
+    NotFinite { vertex: usize, place: [f64; 3] },
+}
+
+/// Where the surface starts, |V|; `None` where frames come from no positions. `positions` are those of the mesh,
+/// `places` what formulas are of.
+///
+/// # Errors
+/// [`StartError`] with the key of the scene that is at fault.
+pub fn initial_positions(
+    section: &StartSection,
+    folder: &Path,
+    mesh: &Mesh,
+    [positions, places]: [Option<&[DVec3]>; 2],
+    parameters: &Arc<Parameters>,
+    time: f64,
+) -> Result<Option<Vec<DVec3>>, AtKey<StartError>> {
+    // Coordinates are no shape by themselves.
+    let of_mesh = || match if section.formula.is_some() { places } else { positions } {
+        Some(positions) => Ok(positions.to_vec()),
+        None => Err(AtKey { key: "start.from".into(), error: StartError::NoPositions }),
+    };
+    let mut shape = match &section.from {
+        StartFrom::Random(_) | StartFrom::Spectral => return Ok(None),
+        StartFrom::Mesh => of_mesh()?,
+        StartFrom::Mirror => of_mesh()?.into_iter().map(|p| DVec3::new(-p.x, p.y, p.z)).collect(),
+        StartFrom::File(path) => read_positions(&folder.join(path), mesh).map_err(AtKey::of("start.file"))?,
+    };
+    if let Some(texts) = &section.formula {
+        let parse =
+            |text: &String| Formula::parse(text, &["x", "y", "z"], parameters).map_err(AtKey::of("start.formula"));
+        let [x, y, z] = [parse(&texts[0])?, parse(&texts[1])?, parse(&texts[2])?];
+        let [x, y, z] = [x.at(time), y.at(time), z.at(time)];
+        for (vertex, place) in shape.iter_mut().enumerate() {
+            let p = place.to_array();
+            *place = DVec3::new(x.value(&p), y.value(&p), z.value(&p));
+            if !place.is_finite() {
+                let error = StartError::NotFinite { vertex, place: place.to_array() };
+                return Err(AtKey { key: "start.formula".into(), error });
+            }
+        }
+    }
+    if let Some(noise) = &section.noise {
+        shape = noise_displacement(&shape, noise.amplitude, noise.wavelength, noise.octaves, noise.seed);
+    }
+    Ok(Some(shape))
+}

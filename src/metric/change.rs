@@ -1,0 +1,177 @@
+//! What a scene does to edge lengths: conformal factors and Ricci flow.
+
+use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, RicciFlow};
+use crate::mesh::{Mesh, Surface, VertexId, select_vertices};
+use crate::scene::{AtKey, ChangeKind, MetricChangeSection, RicciSection};
+use crate::timeline::{Formula, Number, Parameters};
+use glam::DVec3;
+use std::f64::consts::TAU;
+use std::sync::Arc;
+
+/// One `[[metric.change]]`.
+#[derive(Clone, Debug)]
+pub(super) struct Change {
+    /// That of the scene, for messages.
+    pub key: String,
+    amount: Number,
+    kind: Kind,
+}
+
+#[derive(Clone, Debug)]
+enum Kind {
+    Conformal { log_scale: Formula, places: Vec<DVec3> },
+    Ricci { target: Target, flow: Option<Box<Flow>> },
+}
+
+/// A flow and the lengths it starts from.
+#[derive(Clone, Debug)]
+struct Flow {
+    start: Vec<f64>,
+    flow: RicciFlow,
+}
+
+/// What the flow tends to, with regions as vertices.
+#[derive(Clone, Debug)]
+struct Target {
+    section: RicciSection,
+    regions: Vec<(Vec<VertexId>, f64)>,
+}
+
+impl Change {
+    pub fn from_scene(
+        section: &MetricChangeSection,
+        key: String,
+        surface: &Surface,
+        parameters: &Arc<Parameters>,
+    ) -> Result<Change, AtKey<MetricError>> {
+        let at = |name: &str| format!("{key}.{name}");
+        let amount = Number::from_scene(&section.amount, parameters).map_err(AtKey::of(at("amount")))?;
+        let places = surface.places();
+        let kind = match &section.kind {
+            ChangeKind::Conformal { log_scale } => {
+                let log_scale =
+                    Formula::parse(log_scale, &["x", "y", "z"], parameters).map_err(AtKey::of(at("log_scale")))?;
+                if places.is_none() && (0..3).any(|variable| log_scale.uses(variable)) {
+                    return Err(AtKey { key: at("log_scale"), error: MetricError::FormulaWithoutPositions });
+                }
+                let nowhere = || vec![DVec3::ZERO; surface.mesh.vertex_count()];
+                Kind::Conformal { log_scale, places: places.map_or_else(nowhere, <[DVec3]>::to_vec) }
+            }
+            ChangeKind::Ricci(section) => {
+                let mut regions = Vec::new();
+                for (k, region) in section.regions.iter().enumerate() {
+                    let vertices = select_vertices(&region.vertices, &surface.mesh, places)
+                        .map_err(AtKey::of(at(&format!("region[{k}]"))))?;
+                    regions.push((vertices, region.total.to_radians()));
+                }
+                Kind::Ricci { target: Target { section: section.clone(), regions }, flow: None }
+            }
+        };
+        Ok(Change { key, amount, kind })
+    }
+
+    pub fn changes(&self) -> bool {
+        self.amount.changes() || matches!(&self.kind, Kind::Conformal { log_scale, .. } if log_scale.changes())
+    }
+
+    /// The lengths after the change, and for a flow how far curvatures are from their targets.
+    pub fn apply(&mut self, mesh: &Mesh, lengths: Vec<f64>, time: f64) -> Result<(Vec<f64>, Option<f64>), MetricError> {
+        let amount = self.amount.at(time);
+        match &mut self.kind {
+            Kind::Conformal { log_scale, places } => {
+                let formula = log_scale.at(time);
+                let u: Vec<f64> = places.iter().map(|p| amount * formula.value(&p.to_array())).collect();
+                if let Some(vertex) = u.iter().position(|u| !u.is_finite()) {
+                    return Err(MetricError::LogScale { vertex, value: u[vertex] });
+                }
+                let scale = |e: crate::mesh::EdgeId| {
+                    let [a, b] = mesh.edge_vertices(e).map(|v| u[v.index()]);
+                    lengths[e.index()] * libm::exp(0.5 * (a + b))
+                };
+                Ok((mesh.edges().map(scale).collect(), None))
+            }
+            Kind::Ricci { target, flow } => {
+                let mut started = match flow.take() {
+                    Some(flow) if flow.start == lengths => flow,
+                    _ => Box::new(Flow {
+                        flow: RicciFlow::new(mesh, &lengths, &target.of(mesh, &lengths)?)?,
+                        start: lengths,
+                    }),
+                };
+                let Flow { start, flow: ricci } = &mut *started;
+                let lengths = match amount {
+                    a if a <= 0.0 => start.clone(),
+                    a if a >= 1.0 => ricci.limit().edge_lengths.clone(),
+                    a if a.is_nan() => return Err(MetricError::FlowTime { time: a }),
+                    a => ricci.advance_to(-libm::log1p(-a))?,
+                };
+                let error = ricci.curvature_error(mesh, &lengths)?;
+                *flow = Some(started);
+                Ok((lengths, Some(error)))
+            }
+        }
+    }
+}
+
+impl Target {
+    /// The target for the metric that the flow starts from.
+    fn of(&self, mesh: &Mesh, lengths: &[f64]) -> Result<CurvatureTarget, MetricError> {
+        let metric = Metric::new(mesh, lengths.to_vec())?;
+        let boundary = match self.section.turning {
+            None => BoundaryCondition::Isometric,
+            Some(degrees) => BoundaryCondition::TurningAngles(turning_angles(mesh, &metric, degrees.to_radians())),
+        };
+        let interior = match (self.section.curvature, self.regions.is_empty()) {
+            (Some(density), true) => InteriorCurvature::Density(density),
+            (None, true) => InteriorCurvature::Constant,
+            (density, false) => {
+                InteriorCurvature::PerVertex(self.curvature_by_region(mesh, &metric, &boundary, density))
+            }
+        };
+        Ok(CurvatureTarget { interior, boundary, keep_area: !self.section.free_area })
+    }
+
+    /// Regions get their totals, the other vertices `density` per area or, without one, what Gauss–Bonnet leaves,
+    /// in proportion to their areas at the start.
+    fn curvature_by_region(
+        &self,
+        mesh: &Mesh,
+        metric: &Metric,
+        boundary: &BoundaryCondition,
+        density: Option<f64>,
+    ) -> Vec<f64> {
+        let mut target: Vec<Option<f64>> = vec![None; mesh.vertex_count()];
+        for (vertices, total) in &self.regions {
+            let inside = || vertices.iter().filter(|v| !mesh.is_boundary_vertex(**v));
+            let share = total / inside().count() as f64;
+            inside().for_each(|v| target[v.index()] = Some(share));
+        }
+        let rest = match boundary {
+            BoundaryCondition::TurningAngles(angles) => angles.iter().sum::<f64>(),
+            BoundaryCondition::Isometric => {
+                mesh.vertices().filter(|&v| mesh.is_boundary_vertex(v)).map(|v| metric.curvature(mesh, v)).sum()
+            }
+        };
+        let left = TAU * mesh.euler_characteristic() as f64 - rest - target.iter().flatten().sum::<f64>();
+        let areas = metric.vertex_areas(mesh);
+        let open = |v: &VertexId| target[v.index()].is_none() && !mesh.is_boundary_vertex(*v);
+        let area: f64 = mesh.vertices().filter(open).map(|v| areas[v.index()]).sum();
+        let density = density.unwrap_or(left / area);
+        target.iter().zip(&areas).map(|(target, area)| target.unwrap_or(density * area)).collect()
+    }
+}
+
+/// The same total for every boundary loop, spread in proportion to length.
+fn turning_angles(mesh: &Mesh, metric: &Metric, total: f64) -> Vec<f64> {
+    let mut angles = vec![0.0; mesh.vertex_count()];
+    for cycle in mesh.boundary_loops() {
+        let length = |h: crate::mesh::HalfedgeId| metric.length(mesh.edge(h));
+        let around: f64 = cycle.iter().map(|&h| length(h)).sum();
+        for &h in &cycle {
+            let half = 0.5 * total * length(h) / around;
+            angles[mesh.tail(h).index()] += half;
+            angles[mesh.tip(h).index()] += half;
+        }
+    }
+    angles
+}

@@ -1,0 +1,104 @@
+//! `[metric]`: edge lengths, and how they change.
+
+use super::{Ease, Extrapolation, NumberSection, SelectionSection};
+use std::path::PathBuf;
+
+/// `[metric]`: lengths, and changes made to them one after another.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct MetricSection {
+    /// Where the lengths come from if there are no keys.
+    pub lengths: LengthSource,
+    /// `[[metric.key]]`: the metrics at some times.
+    pub keys: Vec<MetricKeySection>,
+    /// What is interpolated between keys.
+    pub interpolation: Interpolation,
+    /// Between keys.
+    pub ease: Ease,
+    /// Before the first and after the last key.
+    pub extrapolation: Extrapolation,
+    /// `[[metric.change]]`, in order.
+    pub changes: Vec<MetricChangeSection>,
+}
+
+/// Where edge lengths come from.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum LengthSource {
+    /// Left out: the lengths the shape decrees, or those of the mesh's own positions.
+    #[default]
+    OfMesh,
+    /// `length = 0.05`: the same for every edge.
+    Uniform(f64),
+    /// `csv = "…"`: lines `u,v,length`, every edge once.
+    Csv(PathBuf),
+    /// `file = "…"`: the lengths of another mesh with the same connectivity.
+    File(PathBuf),
+    /// `formula = "…"`: an expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the
+    /// length of the mesh, time `t` and the parameters.
+    Formula(String),
+}
+
+/// `[[metric.key]]`: the metric at a time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MetricKeySection {
+    /// When.
+    pub time: f64,
+    /// What.
+    pub lengths: LengthSource,
+}
+
+/// What is linear between two keys.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Lengths.
+    Lengths,
+    /// Squared lengths, that is the metric tensor of each triangle.
+    #[default]
+    Squared,
+    /// Logarithms of lengths.
+    Logarithms,
+}
+
+/// `[[metric.change]]`
+#[derive(Clone, Debug, PartialEq)]
+pub struct MetricChangeSection {
+    /// Which kind.
+    pub kind: ChangeKind,
+    /// How much of it: 0 none, 1 all.
+    pub amount: NumberSection,
+}
+
+/// What is done to the lengths.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ChangeKind {
+    /// Lengths are multiplied by `exp((u + u')/2)`, the log scale factors of the ends: a formula in x, y, z of the
+    /// vertex, time and the parameters.
+    Conformal {
+        /// u
+        log_scale: String,
+    },
+    /// Discrete Ricci flow. Amount a is time −ln(1 − a), and 1 the limit.
+    Ricci(RicciSection),
+}
+
+/// What a Ricci flow tends to.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct RicciSection {
+    /// Gaussian curvature inside; left out, the constant that Gauss–Bonnet leaves.
+    pub curvature: Option<f64>,
+    /// Regions among which curvature is distributed; without any, in proportion to area.
+    pub regions: Vec<CurvatureRegionSection>,
+    /// Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary
+    /// keeps its lengths.
+    pub turning: Option<f64>,
+    /// Whether lengths may change as a whole.
+    pub free_area: bool,
+}
+
+/// `[[metric.change.region]]`: total curvature of a set of vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvatureRegionSection {
+    /// Which vertices.
+    pub vertices: SelectionSection,
+    /// Total curvature in degrees, spread evenly. What Gauss–Bonnet leaves is spread over the vertices in no region.
+    pub total: f64,
+}

@@ -1,0 +1,63 @@
+//! A scene as plain data: what the file says, after types and keys were checked and defaults filled in.
+//!
+//! Angles are in degrees here, as in the file. Lengths and times are unit-free. Nothing in this module
+//! computes; each stage turns its part into a validated value in its own `from_scene`.
+
+use std::path::PathBuf;
+
+use super::Source;
+
+mod checks;
+mod mesh;
+mod metric;
+mod motion;
+mod phase;
+mod picture;
+mod time;
+
+pub use checks::*;
+pub use mesh::*;
+pub use metric::*;
+pub use motion::*;
+pub use phase::*;
+pub use picture::*;
+pub use time::*;
+
+/// A whole scene.
+#[derive(Clone, Debug, Default)]
+pub struct Scene {
+    /// File stem of the scene, the default name of its output folder.
+    pub name: String,
+    /// Folder of the scene file; relative paths in it start here.
+    pub folder: PathBuf,
+    /// The surface.
+    pub mesh: MeshSection,
+    /// Numbers by name, for formulas.
+    pub parameters: Vec<(String, NumberSection)>,
+    /// Its edge lengths.
+    pub metric: MetricSection,
+    /// Its regular homotopy class.
+    pub spin: SpinSection,
+    /// Where the frames start.
+    pub start: StartSection,
+    /// Stages of the relaxation; empty means the default ones.
+    pub phases: Vec<PhaseSection>,
+    /// Target bending angles.
+    pub bending: Option<BendingSection>,
+    /// Point constraints.
+    pub pins: Vec<PinSection>,
+    /// Frames and their times.
+    pub clock: ClockSection,
+    /// The view.
+    pub camera: CameraSection,
+    /// Lights; empty means the studio's three.
+    pub lights: Vec<LightSection>,
+    /// Colours and lines.
+    pub look: LookSection,
+    /// Picture size and format.
+    pub output: OutputSection,
+    /// What the result must satisfy.
+    pub checks: ChecksSection,
+    /// Where the file says it, for the messages of later stages.
+    pub source: Source,
+}

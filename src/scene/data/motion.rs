@@ -1,0 +1,148 @@
+//! Class, start, bending and pins.
+
+use super::{Ease, NumberSection};
+use std::path::PathBuf;
+
+/// `[spin]`
+#[derive(Clone, Debug, PartialEq, Default)]
+pub enum SpinSection {
+    /// Left out: as "immersion" where the mesh has positions and no lengths were decreed, else zeros.
+    #[default]
+    Automatic,
+    /// `class = "immersion"`: read off the mesh's positions (Sec. 4.1.2).
+    Immersion,
+    /// `class = "01"`: one digit of q per generator, shortest generator first.
+    Digits(String),
+}
+
+/// `[start]`
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct StartSection {
+    /// Which frames.
+    pub from: StartFrom,
+    /// Where each vertex of those positions is moved: formulas of x, y, z and the parameters.
+    pub formula: Option<[String; 3]>,
+    /// What is added to them.
+    pub noise: Option<NoiseSection>,
+}
+
+impl From<StartFrom> for StartSection {
+    fn from(from: StartFrom) -> Self {
+        StartSection { from, ..StartSection::default() }
+    }
+}
+
+/// Where frames start.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum StartFrom {
+    /// `random = 7`: independent uniform frames from this seed.
+    Random(u64),
+    /// `from = "spectral"`: lowest modes of the connection Laplacian.
+    Spectral,
+    /// `from = "mesh"`: frames of the mesh's positions or, with a formula, of its coordinates.
+    Mesh,
+    /// `from = "mirror"`: frames of the mirror image of the mesh's positions.
+    Mirror,
+    /// `file = "…"`: frames of another mesh with the same connectivity.
+    File(PathBuf),
+}
+
+impl Default for StartFrom {
+    fn default() -> Self {
+        StartFrom::Random(0)
+    }
+}
+
+/// Smooth random displacement of positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NoiseSection {
+    /// Largest displacement along each axis, about.
+    pub amplitude: f64,
+    /// Size of the largest bumps.
+    pub wavelength: f64,
+    /// Number of layers, each of half the wavelength and half the amplitude of the one before.
+    pub octaves: usize,
+    /// Which of the many.
+    pub seed: u64,
+}
+
+/// A set of vertices.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SelectionSection {
+    /// `vertices = [0, 7]`: by index.
+    Vertices(Vec<usize>),
+    /// `boundary = [0]`: all vertices of these boundary loops, in the order that `immerse check` lists.
+    Boundary(Vec<usize>),
+    /// `box = [[x, y, z], [x, y, z]]`: inside the box with these opposite corners, faces included.
+    Box([[f64; 3]; 2]),
+    /// `ball = [x, y, z, radius]`: inside.
+    Ball([f64; 4]),
+    /// `nearest = [[x, y, z]]`: the vertex nearest to each of these points.
+    Nearest(Vec<[f64; 3]>),
+}
+
+/// `[bending]`: target bending angles (Sec. 6.3).
+#[derive(Clone, Debug, PartialEq)]
+pub struct BendingSection {
+    /// The shape whose angles they are; left out, all are 0 where no region says otherwise.
+    pub from: Option<BendingFrom>,
+    /// What the angles of the shape are multiplied with: 1 that shape, 0 flat, −1 its mirror image.
+    pub amount: NumberSection,
+    /// `[[bending.region]]`: constant angles.
+    pub regions: Vec<BendingRegionSection>,
+}
+
+/// Shapes that bending angles are taken from.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BendingFrom {
+    /// `from = "mesh"`: the mesh's positions.
+    Mesh,
+    /// `from = "mirror"`: their mirror image.
+    Mirror,
+    /// `file = "…"`: another mesh with the same connectivity.
+    File(PathBuf),
+}
+
+/// `[[bending.region]]`: one angle for several edges.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BendingRegionSection {
+    /// Which edges.
+    pub edges: EdgeSelection,
+    /// In degrees; positive as on a sphere whose normals point outward.
+    pub angle: NumberSection,
+}
+
+/// A set of edges.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EdgeSelection {
+    /// `edges = [[0, 1]]`: by their ends. None may be on the boundary.
+    Edges(Vec<[usize; 2]>),
+    /// The interior edges with both ends selected.
+    Between(SelectionSection),
+}
+
+/// `[[pin]]`: vertices held in place or led along (Sec. 5.4.1).
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinSection {
+    /// Which.
+    pub vertices: SelectionSection,
+    /// Where they belong at rest, in order of `vertices`; empty means where the mesh's positions are.
+    pub positions: Vec<[f64; 3]>,
+    /// Where each goes from there: formulas of x, y, z of that place, time and the parameters.
+    pub formula: Option<[String; 3]>,
+    /// Keyframed rigid motion of all of them, after the formula.
+    pub motion: Option<MotionSection>,
+}
+
+/// Keyframed rigid motion about the centroid of what moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionSection {
+    /// Increasing.
+    pub times: Vec<f64>,
+    /// Displacement, one per time.
+    pub translations: Vec<[f64; 3]>,
+    /// Degrees about x, then y, then z, one per time.
+    pub rotations: Vec<[f64; 3]>,
+    /// Between the keyframes.
+    pub ease: Ease,
+}

@@ -1,0 +1,85 @@
+//! `[clock]`, and numbers that change with time.
+
+/// A number that may change with time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NumberSection {
+    /// `amount = 0.5`
+    Constant(f64),
+    /// `amount = "0.5 * t"`: a formula in `t` and the `[parameters]`.
+    Formula(String),
+    /// `amount = { times = [0, 1], values = [0, 0.5], ease = "smooth" }`
+    Keyframes {
+        /// Increasing.
+        times: Vec<f64>,
+        /// One per time.
+        values: Vec<f64>,
+        /// Between the keyframes.
+        ease: Ease,
+        /// Outside of them.
+        extrapolation: Extrapolation,
+    },
+}
+
+/// How a keyframed value passes from one keyframe to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ease {
+    /// At constant speed.
+    #[default]
+    Linear,
+    /// Slowly at both ends.
+    Smooth,
+    /// Slowly at first.
+    In,
+    /// Slowly at last.
+    Out,
+}
+
+/// What a keyframed value does before the first and after the last keyframe.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Extrapolation {
+    /// It stands still.
+    #[default]
+    Hold,
+    /// It goes on at the speed it would have between the two nearest keyframes without easing.
+    Linear,
+    /// It starts over.
+    Repeat,
+}
+
+/// `[clock]`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ClockSection {
+    /// Number of frames; 1 is a static scene.
+    pub frames: usize,
+    /// Time of the first frame.
+    pub start: f64,
+    /// Time of the last frame or, in a film that loops, of the one after it.
+    pub end: f64,
+    /// Whether the first frame comes after the last one again.
+    pub looping: bool,
+    /// A film of the relaxation itself: so many steps from frame to frame. Left out, every frame of a film whose
+    /// scene changes with time is relaxed until it has settled, and in any other film it is 2.
+    pub steps_per_frame: Option<usize>,
+    /// A frame has settled when the mean turn of its face frames per step is below this (degrees),
+    pub tolerance: f64,
+    /// or after this many steps.
+    pub max_steps: usize,
+    /// No edge changes its length by more than this share at once; where a frame brings more, it is reached in
+    /// several parts.
+    pub max_strain: f64,
+}
+
+impl Default for ClockSection {
+    fn default() -> Self {
+        Self {
+            frames: 1,
+            start: 0.0,
+            end: 1.0,
+            looping: false,
+            steps_per_frame: None,
+            tolerance: 0.05,
+            max_steps: 100,
+            max_strain: 0.05,
+        }
+    }
+}

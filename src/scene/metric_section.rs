@@ -1,0 +1,122 @@
+//! `[metric]`, its keys and changes.
+
+use super::data::*;
+use super::motion_sections::selection;
+use super::number::{ease, extrapolation};
+use super::table::Table;
+
+pub(super) fn metric(table: &mut Table) -> MetricSection {
+    let lengths = length_source(table);
+    let keys = table.tables("key", "The metric at a time; what is between is interpolated.", key);
+    let interpolation = table.choice(
+        "interpolation",
+        "What is linear between keys: lengths, their squares (the default) or their logarithms.",
+        &[
+            ("lengths", Interpolation::Lengths),
+            ("squared", Interpolation::Squared),
+            ("logarithms", Interpolation::Logarithms),
+        ],
+    );
+    let section = MetricSection {
+        lengths,
+        interpolation: interpolation.unwrap_or_default(),
+        ease: ease(table),
+        extrapolation: extrapolation(table),
+        changes: table.tables("change", "What is done to the lengths, one after another.", change),
+        keys,
+    };
+    if let Some([a, b]) = section.keys.array_windows().find(|[a, b]| b.time <= a.time) {
+        let reason = format!("keys are out of order: time {} comes after {}", b.time, a.time);
+        table.complain("key", reason, "sort them, each time greater than the last");
+    }
+    if !section.keys.is_empty() && section.lengths != LengthSource::OfMesh {
+        let reason = "[metric] has both lengths and [[metric.key]], which exclude each other";
+        table.complain("key", reason, "put the lengths into a [[metric.key]] of their own");
+    }
+    if section.keys.is_empty() {
+        for name in ["interpolation", "ease", "extrapolation"].into_iter().filter(|name| table.has(name)) {
+            table.complain(
+                name,
+                format!("`{name}` is about [[metric.key]], and there is none"),
+                "remove it, or add keys",
+            );
+        }
+    }
+    section
+}
+
+fn length_source(table: &mut Table) -> LengthSource {
+    let length = table.key::<f64>("length", "The same length for every edge.").above(0.0).optional(0.05);
+    let csv =
+        table.key::<String>("csv", "A file of lines `u,v,length`, every edge once.").optional("lengths.csv".into());
+    let file = table
+        .key::<String>("file", "Another mesh with the same connectivity, whose lengths are taken.")
+        .optional("other.obj".into());
+    let doc = "An expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the length of the \
+               mesh, time `t` and the parameters.";
+    let formula = table.key::<String>("formula", doc).optional("length * (1 + 0.2 * z)".into());
+    table.only_one_of(&["length", "csv", "file", "formula"]);
+    match (length, csv, file, formula) {
+        (Some(length), ..) => LengthSource::Uniform(length),
+        (_, Some(csv), ..) => LengthSource::Csv(csv.into()),
+        (_, _, Some(file), _) => LengthSource::File(file.into()),
+        (.., Some(formula)) => LengthSource::Formula(formula),
+        _ => LengthSource::OfMesh,
+    }
+}
+
+fn key(table: &mut Table) -> MetricKeySection {
+    MetricKeySection { time: table.key("time", "When.").required(0.0), lengths: length_source(table) }
+}
+
+fn change(table: &mut Table) -> MetricChangeSection {
+    let kind = table.variants(
+        "kind",
+        "What is done to the lengths.",
+        &[
+            ("conformal", "Lengths are multiplied by exp of the mean log scale factor of their ends.", conformal),
+            ("ricci", "Discrete Ricci flow (Eq. 22).", ricci),
+        ],
+    );
+    if !table.has("kind") && table.is_given() {
+        table.complain("kind", "[[change]] has no `kind`", "add kind = \"conformal\" or kind = \"ricci\"");
+    }
+    let kind = kind.unwrap_or(ChangeKind::Ricci(RicciSection::default()));
+    let doc = "How much of it, 0 to 1. For the Ricci flow 1 is the limit and a < 1 time -ln(1 - a). Left out, 1 for \
+               conformal factors, and for the flow as far as the clock has run.";
+    let default = match kind {
+        ChangeKind::Conformal { .. } => NumberSection::Constant(1.0),
+        ChangeKind::Ricci(_) => NumberSection::Keyframes {
+            times: vec![0.0, 1.0],
+            values: vec![0.0, 1.0],
+            ease: Ease::Linear,
+            extrapolation: Extrapolation::Hold,
+        },
+    };
+    MetricChangeSection { kind, amount: table.key("amount", doc).or(default) }
+}
+
+fn conformal(table: &mut Table) -> ChangeKind {
+    let doc = "Log scale factor u: an expression in x, y, z of the vertex, time `t` and the parameters.";
+    ChangeKind::Conformal { log_scale: table.key("log_scale", doc).required("0.3 * t * z".to_owned()) }
+}
+
+fn ricci(table: &mut Table) -> ChangeKind {
+    ChangeKind::Ricci(RicciSection {
+        curvature: table
+            .key("curvature", "Gaussian curvature inside; left out, the constant that Gauss-Bonnet leaves.")
+            .optional(-1.0),
+        regions: table.tables("region", "Vertices with a total curvature of their own.", curvature_region),
+        turning: table
+            .key("turning", "Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary keeps its lengths.")
+            .optional(360.0),
+        free_area: table.key("free_area", "Whether the total area may change.").or(false),
+    })
+}
+
+fn curvature_region(table: &mut Table) -> CurvatureRegionSection {
+    CurvatureRegionSection {
+        vertices: selection(table),
+        total: table.key("total", "Total curvature in degrees, spread evenly.").required(90.0),
+    }
+}

@@ -1,0 +1,80 @@
+//! Expressions in variables of their place, time and the parameters of the scene.
+
+use super::{Parameters, TimelineError};
+use exmex::{Express, FlatEx};
+use std::sync::Arc;
+
+/// A formula that is known to use nothing but its own variables, `t` and parameters.
+#[derive(Clone, Debug)]
+pub struct Formula {
+    text: String,
+    /// Boxed, for it is large.
+    expression: Box<FlatEx<f64>>,
+    /// Per variable of the expression: which of own variables, then `t`, then parameters it is.
+    slots: Vec<usize>,
+    own: usize,
+    parameters: Arc<Parameters>,
+}
+
+impl Formula {
+    /// Parses an expression; `own` are the names of the variables that are given at each evaluation.
+    ///
+    /// # Errors
+    /// [`TimelineError::Formula`] if it is none, or uses another name.
+    pub fn parse(text: &str, own: &[&str], parameters: &Arc<Parameters>) -> Result<Formula, TimelineError> {
+        let known: Vec<&str> = own.iter().copied().chain(["t"]).chain(parameters.names()).collect();
+        let fail = |reason: String| TimelineError::Formula {
+            formula: text.to_owned(),
+            reason,
+            known: format!("{} and the usual functions", known.join(", ")),
+        };
+        let expression = FlatEx::<f64>::parse(text).map_err(|error| fail(error.to_string()))?;
+        let slot = |name: &String| {
+            known.iter().position(|known| known == name).ok_or_else(|| fail(format!("there is no `{name}`")))
+        };
+        let slots = expression.var_names().iter().map(slot).collect::<Result<_, _>>()?;
+        let expression = Box::new(expression);
+        Ok(Formula { text: text.to_owned(), expression, slots, own: own.len(), parameters: Arc::clone(parameters) })
+    }
+
+    /// The formula at a time, to be evaluated at many places.
+    pub fn at(&self, time: f64) -> FormulaAt<'_> {
+        let shared = std::iter::once(time).chain(self.parameters.at(time)).collect();
+        FormulaAt { formula: self, shared }
+    }
+
+    /// Whether its value can depend on time.
+    pub fn changes(&self) -> bool {
+        self.slots
+            .iter()
+            .any(|&slot| slot == self.own || (slot > self.own && self.parameters.changes(slot - self.own - 1)))
+    }
+
+    /// Whether it uses the own variable of this index.
+    pub fn uses(&self, own: usize) -> bool {
+        self.slots.contains(&own)
+    }
+
+    /// As it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+}
+
+/// A formula at one time.
+#[derive(Clone, Debug)]
+pub struct FormulaAt<'a> {
+    formula: &'a Formula,
+    /// Time, then parameters.
+    shared: Vec<f64>,
+}
+
+impl FormulaAt<'_> {
+    /// Its value where the own variables have these values; not a number where it has none.
+    pub fn value(&self, own: &[f64]) -> f64 {
+        debug_assert_eq!(own.len(), self.formula.own);
+        let value = |&slot: &usize| own.get(slot).copied().unwrap_or_else(|| self.shared[slot - own.len()]);
+        let values: Vec<f64> = self.formula.slots.iter().map(value).collect();
+        self.formula.expression.eval(&values).unwrap_or(f64::NAN)
+    }
+}

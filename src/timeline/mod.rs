@@ -1,0 +1,13 @@
+//! What changes with time: keyframes, formulas and named parameters.
+
+mod clock;
+mod error;
+mod formula;
+mod keyframes;
+mod parameters;
+
+pub use clock::Clock;
+pub use error::TimelineError;
+pub use formula::{Formula, FormulaAt};
+pub use keyframes::{Keyframes, eased};
+pub use parameters::{Number, Parameters};

@@ -1,0 +1,100 @@
+//! Named numbers of a scene that formulas share.
+
+use super::{Formula, Keyframes, TimelineError};
+use crate::scene::NumberSection;
+use std::sync::Arc;
+
+/// A number that may change with time.
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// The same at all times.
+    Constant(f64),
+    /// Given at some times.
+    Keyframes(Keyframes<f64>),
+    /// By a formula in `t` and parameters.
+    Formula(Formula),
+}
+
+impl Number {
+    /// Validates what the scene says.
+    ///
+    /// # Errors
+    /// [`TimelineError`]
+    pub fn from_scene(section: &NumberSection, parameters: &Arc<Parameters>) -> Result<Number, TimelineError> {
+        Ok(match section {
+            NumberSection::Constant(value) => Number::Constant(*value),
+            NumberSection::Formula(text) => Number::Formula(Formula::parse(text, &[], parameters)?),
+            NumberSection::Keyframes { times, values, ease, extrapolation } => {
+                Number::Keyframes(Keyframes::new(times.clone(), values.clone(), *ease, *extrapolation)?)
+            }
+        })
+    }
+
+    /// Its value at a time.
+    pub fn at(&self, time: f64) -> f64 {
+        match self {
+            Number::Constant(value) => *value,
+            Number::Keyframes(keyframes) => keyframes.at(time),
+            Number::Formula(formula) => formula.at(time).value(&[]),
+        }
+    }
+
+    /// Whether it can depend on time.
+    pub fn changes(&self) -> bool {
+        match self {
+            Number::Constant(_) => false,
+            Number::Keyframes(keyframes) => keyframes.values().array_windows().any(|[a, b]| a != b),
+            Number::Formula(formula) => formula.changes(),
+        }
+    }
+}
+
+/// The `[parameters]` of a scene. A formula among them may use those before it.
+#[derive(Clone, Debug, Default)]
+pub struct Parameters {
+    named: Vec<(String, Number)>,
+}
+
+impl Parameters {
+    /// Validates what the scene says, in its order.
+    ///
+    /// # Errors
+    /// The name of the parameter that is at fault, and why.
+    pub fn from_scene(sections: &[(String, NumberSection)]) -> Result<Arc<Parameters>, (String, TimelineError)> {
+        let mut parameters = Arc::new(Parameters::default());
+        for (name, section) in sections {
+            let fail = |error| (name.clone(), error);
+            let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
+                && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            // What does not parse as a variable of its own is a function or an operator.
+            let probe = Parameters { named: vec![(name.clone(), Number::Constant(0.0))] };
+            let is_free = Formula::parse(name, &[], &Arc::new(probe)).is_ok();
+            if !is_name || !is_free || RESERVED.contains(&name.as_str()) {
+                return Err(fail(TimelineError::Name { name: name.clone() }));
+            }
+            let number = Number::from_scene(section, &parameters).map_err(fail)?;
+            let mut named = parameters.named.clone();
+            named.push((name.clone(), number));
+            parameters = Arc::new(Parameters { named });
+        }
+        Ok(parameters)
+    }
+
+    /// Their names, in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// Their values at a time, in order.
+    pub fn at(&self, time: f64) -> impl Iterator<Item = f64> {
+        self.named.iter().map(move |(_, number)| number.at(time))
+    }
+
+    /// Whether the parameter of this index can depend on time.
+    pub fn changes(&self, index: usize) -> bool {
+        self.named.get(index).is_some_and(|(_, number)| number.changes())
+    }
+}
+
+/// Variables of formulas in one place or another, and the constants of the expression language.
+const RESERVED: [&str; 12] = ["t", "x", "y", "z", "dx", "dy", "dz", "length", "e", "E", "PI", "pi"];
