@@ -10,7 +10,7 @@ use serde::de::DeserializeOwned;
 use super::error::CacheError;
 
 /// Writes a file so that after a crash at any instant there is the old one, the new one or none.
-pub(super) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), CacheError> {
+pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), CacheError> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let write = || -> io::Result<()> {
         let mut builder = tempfile::Builder::new();

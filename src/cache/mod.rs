@@ -20,6 +20,7 @@ mod npz;
 
 pub use crate::evolve::FrameReport;
 pub use error::CacheError;
+pub(crate) use file::write_atomically;
 pub use film::{Cache, Film, Manifest, MeshCounts};
 pub use frame::FrameState;
 

@@ -56,6 +56,9 @@ pub(super) enum Command {
         /// Print one JSON object instead of tables
         #[arg(long)]
         json: bool,
+        /// Also write its curves over time there: curves.csv and curves.svg
+        #[arg(long)]
+        curves: bool,
     },
     /// Write a commented scene to start from
     New {

@@ -9,6 +9,7 @@ use clap::{CommandFactory, Parser};
 
 use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film};
+use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
 use super::inspect::Inspection;
 use super::pipeline::{self, PipelineError, Summary};
@@ -88,6 +89,8 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
         Command::Simulate { film, restart } => {
             let (scene, folder) = open(film)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
+            let inspection = Inspection::of(&folder)?;
+            write_curves_of_film(&folder, &inspection)?;
             progress.clear();
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
@@ -108,7 +111,7 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             }
             Ok(writeln!(out, "{}: nothing is wrong", path.display())?)
         }
-        Command::Inspect { folder, json } => inspect(folder, *json, &mut out),
+        Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, &mut out),
         Command::New { name } => new(name, &mut out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
@@ -135,6 +138,7 @@ fn run(film: &Film, progress: &mut Bar, out: &mut impl Write) -> Result<(), Fail
     let frames: Vec<usize> = (1..=scene.clock.frames).collect();
     let rendered = pipeline::render_frames(&scene, &folder, &frames, progress)?;
     let inspection = Inspection::of(&folder)?;
+    write_curves_of_film(&folder, &inspection)?;
     progress.clear();
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
@@ -146,8 +150,16 @@ fn run(film: &Film, progress: &mut Bar, out: &mut impl Write) -> Result<(), Fail
     all_is_well(&inspection)
 }
 
-fn inspect(folder: &Path, json: bool, out: &mut impl Write) -> Result<(), Failure> {
+/// One frame has no curves.
+fn write_curves_of_film(folder: &Path, inspection: &Inspection) -> Result<(), CacheError> {
+    if inspection.frames.len() > 1 { write_curves(folder, &inspection.frames) } else { Ok(()) }
+}
+
+fn inspect(folder: &Path, json: bool, curves: bool, out: &mut impl Write) -> Result<(), Failure> {
     let inspection = Inspection::of(folder)?;
+    if curves {
+        write_curves(folder, &inspection.frames)?;
+    }
     if json {
         inspection.write_json(out)?;
     } else {

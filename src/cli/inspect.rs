@@ -14,7 +14,7 @@ use crate::cache::{Cache, CacheError, FrameReport, MeshCounts};
 #[derive(Debug, Serialize)]
 pub(super) struct Inspection {
     mesh: MeshCounts,
-    frames: Vec<FrameReport>,
+    pub frames: Vec<FrameReport>,
     pub checks: Vec<Check>,
     /// Frames that are there but do not verify. Said on standard error.
     #[serde(skip)]

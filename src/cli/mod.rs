@@ -6,6 +6,7 @@
 mod arguments;
 mod checks;
 mod commands;
+mod curves;
 mod diagnostics;
 mod frame_range;
 mod inspect;
@@ -15,6 +16,7 @@ mod text_table;
 
 pub use checks::{Check, checks_of};
 pub use commands::main;
+pub use curves::{curves_csv, curves_svg};
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use pipeline::{PipelineError, Summary};
 pub use progress::Progress;
