@@ -7,7 +7,8 @@ use super::spelling::suggestion;
 use super::table::Table;
 
 const FILE_ENDINGS: [&str; 4] = ["obj", "ply", "off", "stl"];
-const POLYHEDRA: [&str; 6] = ["tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two"];
+const POLYHEDRA: [&str; 7] =
+    ["tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two", "genus_two_saddle"];
 /// Bounds that keep a mistyped number from asking for more memory than there is.
 const MAX_PARTS: f64 = 1000.0;
 const MAX_CELLS: f64 = 10_000.0;

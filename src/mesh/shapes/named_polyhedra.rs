@@ -1,6 +1,6 @@
-//! The Platonic solids, with corners at distance 1 from the origin, and a block with two holes.
+//! The Platonic solids, with corners at distance 1 from the origin, and two polyhedra of genus 2.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use crate::mesh::Mesh;
 
@@ -30,6 +30,7 @@ pub(super) fn named(name: &str) -> Option<Polyhedron> {
         }
         "dodecahedron" => dodecahedron()?,
         "genus_two" => genus_two(),
+        "genus_two_saddle" => genus_two_saddle(),
         _ => return None,
     })
 }
@@ -89,6 +90,38 @@ fn genus_two() -> Polyhedron {
                 let ((a, b), (c, d)) = (around[side], around[(side + 1) % 4]);
                 polygons.push(vec![corner(a, b, 0), corner(c, d, 0), corner(c, d, 1), corner(a, b, 1)]);
             }
+        }
+    }
+    (corners, polygons)
+}
+
+/// Genus 2 without self-intersections and with negative curvature at every corner: the angles add up to more than a
+/// full turn also at those that stick out, whose stars are pleated. It has the rotations of a triangular prism, which
+/// make 12 corners of two and 28 triangles of six; seven triangles meet at each corner. Barros et al. describe such
+/// a polyhedron (2011, in Fig. 17 of the paper); this one has been found by a search.
+fn genus_two_saddle() -> Polyhedron {
+    let third =
+        DMat3::from_cols(DVec3::new(-0.5, 0.75f64.sqrt(), 0.0), DVec3::new(-0.75f64.sqrt(), -0.5, 0.0), DVec3::Z);
+    let mut corners = Vec::with_capacity(12);
+    for corner in [DVec3::new(-0.4, 1.2, -1.0), DVec3::new(1.05, 1.1, 0.1)] {
+        for start in [corner, DVec3::new(corner.x, -corner.y, -corner.z)] {
+            corners.extend([start, third * start, third * third * start]);
+        }
+    }
+    // Corner `6 orbit + 3 half + turns` comes from the first of its orbit by half a turn about x, if any, and then
+    // thirds of a turn about z. These are its images.
+    let image = |v: usize, half: usize, turns: usize| {
+        let (orbit, flipped, turned) = (v / 6, v / 3 % 2, v % 3);
+        let turned = if half == 1 { 3 - turned } else { turned };
+        6 * orbit + 3 * (flipped ^ half) + (turned + turns) % 3
+    };
+    let mut polygons = Vec::with_capacity(28);
+    // The first two are mapped to themselves by thirds of a turn.
+    for (corner, turns) in
+        [([0, 2, 1], 1), ([6, 8, 7], 1), ([0, 1, 7], 3), ([0, 5, 10], 3), ([0, 9, 6], 3), ([0, 10, 9], 3)]
+    {
+        for (half, turn) in (0..2).flat_map(|half| (0..turns).map(move |turn| (half, turn))) {
+            polygons.push(corner.iter().map(|&v| image(v, half, turn)).collect());
         }
     }
     (corners, polygons)

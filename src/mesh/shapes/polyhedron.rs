@@ -25,7 +25,7 @@ pub fn polyhedron(source: &PolyhedronSource, subdivisions: usize) -> Result<Surf
             invalid(
                 SHAPE,
                 format!("`{name}` is not known"),
-                "choose tetrahedron, cube, octahedron, dodecahedron, icosahedron or genus_two, \
+                "choose tetrahedron, cube, octahedron, dodecahedron, icosahedron, genus_two or genus_two_saddle, \
                  or give `vertices` and `polygons`",
             )
         })?,
