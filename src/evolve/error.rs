@@ -32,6 +32,17 @@ pub enum SetupError {
     /// Its target bending angles.
     #[error("{}", .0.error)]
     Bending(#[from] AtKey<BendingError>),
+    /// `class = "all"` with too many frames.
+    #[error(
+        "there are {frames} frames for the classes of {betti} generators, one each; lower `frames` to 2 to the power \
+         of {betti}"
+    )]
+    MoreFramesThanClasses {
+        /// What the clock says.
+        frames: usize,
+        /// Number of generators.
+        betti: usize,
+    },
     /// The Poisson problem.
     #[error("{0}; even out the edge lengths, the weights differ by too many orders of magnitude")]
     Poisson(#[from] CholeskyError),
@@ -43,6 +54,7 @@ impl SetupError {
         match self {
             SetupError::Mesh(_) => "mesh",
             SetupError::Poisson(_) => "metric",
+            SetupError::MoreFramesThanClasses { .. } => "clock.frames",
             SetupError::Spin(_) => "spin.class",
             SetupError::Parameter(at) => &at.key,
             SetupError::Metric(at) => &at.key,
@@ -70,6 +82,9 @@ pub enum EvolveError {
         /// Phase, from 0.
         phase: usize,
     },
+    /// The class to begin.
+    #[error(transparent)]
+    Spin(#[from] SpinError),
     /// The scene gives no metric.
     #[error("at time {time}: {}", error.error)]
     Metric {

@@ -1,11 +1,13 @@
 //! How a film passes from frame to frame.
 
 use super::Phase;
-use crate::scene::{ClockSection, PhaseSection};
+use crate::scene::{ClockSection, PhaseSection, SpinSection};
 
 /// What happens between two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
+    /// Another class, relaxed from the start.
+    EachClass,
     /// So many steps of the relaxation.
     Steps(usize),
     /// The metric moves on, and the surface follows until it has settled.
@@ -25,8 +27,9 @@ pub struct Settling {
 
 impl Pace {
     /// From the `[clock]` of a scene; `changes` is whether anything in the scene changes with time.
-    pub fn from_scene(clock: &ClockSection, changes: bool) -> Pace {
+    pub fn from_scene(clock: &ClockSection, spin: &SpinSection, changes: bool) -> Pace {
         match clock.steps_per_frame {
+            _ if *spin == SpinSection::All => Pace::EachClass,
             Some(steps) if clock.frames > 1 => Pace::Steps(steps),
             None if clock.frames > 1 && !changes => Pace::Steps(STEPS_PER_FRAME),
             _ => Pace::Settle(Settling {

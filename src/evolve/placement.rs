@@ -18,7 +18,7 @@ impl Simulation {
     pub(super) fn place(&mut self, positions: &mut [DVec3]) {
         let relaxing_from_nowhere = self.seed.is_some() && matches!(self.pace, Pace::Steps(_));
         let first = self.previous.is_none();
-        let ground = match (&self.previous, &self.reference) {
+        let ground = match (&self.previous, self.shape.as_ref().or(self.original.as_ref())) {
             (_, Some(reference)) if first || relaxing_from_nowhere => Ground::Positions(reference),
             (Some(previous), _) => Ground::Positions(&previous.positions),
             // On the way axes would swing about.

@@ -6,7 +6,7 @@ use crate::frames::{Shell, Stepper, random_frames, spectral_frames};
 use crate::immersion::{Pins, TargetBending, initial_positions, rimless_frames, spin_from_scene};
 use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricAt, MetricProgram, lengths_of_positions};
-use crate::scene::{AtKey, Scene, StartFrom};
+use crate::scene::{AtKey, Scene, SpinSection, StartFrom};
 use crate::spin::{Homology, SpinStructure};
 use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
@@ -49,8 +49,9 @@ pub struct Simulation {
     pub(super) fewest_rims: Option<(usize, Vec<DQuat>)>,
     /// Positions of the mesh, where the metric at the start is theirs.
     pub(super) original: Option<Vec<DVec3>>,
-    /// Positions that the first frame is laid upon.
-    pub(super) reference: Option<Vec<DVec3>>,
+    start: StartFrom,
+    /// Positions that frames start from.
+    pub(super) shape: Option<Vec<DVec3>>,
     /// Of the last frame.
     pub(super) previous: Option<Previous>,
 }
@@ -135,10 +136,12 @@ impl Simulation {
         let shape = initial_positions(&scene.start, &scene.folder, &mesh, [positions, places], &parameters, time)?;
         let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
         let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
-        let reference = shape.or_else(|| original.clone());
         let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);
         let stepper = Stepper::new(&parts.shell);
         let class = spin.class(&mesh, &metric, &homology);
+        if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
+            return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
+        }
         Ok(Simulation {
             mesh,
             repairs,
@@ -151,7 +154,7 @@ impl Simulation {
             bending,
             pins,
             clock,
-            pace: Pace::from_scene(&scene.clock, changes),
+            pace: Pace::from_scene(&scene.clock, &scene.spin, changes),
             frame: 0,
             time,
             cursor: Cursor::default(),
@@ -163,7 +166,8 @@ impl Simulation {
             seed,
             fewest_rims: None,
             original,
-            reference,
+            start: scene.start.from.clone(),
+            shape,
             previous: None,
         })
     }
@@ -177,6 +181,10 @@ impl Simulation {
     pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
         let time = self.clock.time(self.frame + 1);
         match (self.pace, self.frame) {
+            (Pace::EachClass, made) => {
+                self.begin_class(made)?;
+                self.run_all_phases(observer)?;
+            }
             (Pace::Settle(_), 0) => self.run_all_phases(observer)?,
             (Pace::Settle(settling), _) => self.follow(time, &settling, observer)?,
             // The first frame of a film of the relaxation is where it starts.
@@ -201,6 +209,18 @@ impl Simulation {
             Some(steps) => self.run_steps(steps, observer)?,
         }
         Ok(self.frame_now())
+    }
+
+    /// Starts over in the class with this number, the last generator being its last binary digit.
+    fn begin_class(&mut self, number: usize) -> Result<(), EvolveError> {
+        let betti = self.homology.betti();
+        self.class = (0..betti).map(|k| number >> (betti - 1 - k) & 1 == 1).collect();
+        self.spin = SpinStructure::of_class(&self.mesh, &self.metric, &self.homology, &self.class)?;
+        self.discretize()?;
+        (self.frames, _) = start(&self.start, &self.mesh, &self.metric, &self.parts.shell, self.shape.as_deref());
+        self.cursor = Cursor::default();
+        self.previous = None;
+        Ok(())
     }
 
     fn frame_now(&mut self) -> Frame {

@@ -3,7 +3,7 @@
 use super::noise_displacement;
 use crate::mesh::{Mesh, MeshError, read_positions};
 use crate::scene::{AtKey, StartFrom, StartSection};
-use crate::timeline::{Formula, Parameters, TimelineError};
+use crate::timeline::{Parameters, PointFormula, TimelineError};
 use glam::DVec3;
 use std::path::Path;
 use std::sync::Arc;
@@ -49,13 +49,10 @@ pub fn initial_positions(
         StartFrom::File(path) => read_positions(&folder.join(path), mesh).map_err(AtKey::of("start.file"))?,
     };
     if let Some(texts) = &section.formula {
-        let parse =
-            |text: &String| Formula::parse(text, &["x", "y", "z"], parameters).map_err(AtKey::of("start.formula"));
-        let [x, y, z] = [parse(&texts[0])?, parse(&texts[1])?, parse(&texts[2])?];
-        let [x, y, z] = [x.at(time), y.at(time), z.at(time)];
+        let formula = PointFormula::parse(texts, parameters).map_err(AtKey::of("start.formula"))?;
+        let formula = formula.at(time);
         for (vertex, place) in shape.iter_mut().enumerate() {
-            let p = place.to_array();
-            *place = DVec3::new(x.value(&p), y.value(&p), z.value(&p));
+            *place = formula.point(*place);
             if !place.is_finite() {
                 let error = StartError::NotFinite { vertex, place: place.to_array() };
                 return Err(AtKey { key: "start.formula".into(), error });

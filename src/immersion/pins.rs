@@ -2,7 +2,7 @@
 
 use crate::mesh::{Mesh, SelectionError, VertexId, select_vertices};
 use crate::scene::{AtKey, Extrapolation, PinSection};
-use crate::timeline::{Formula, Keyframes, Parameters, TimelineError};
+use crate::timeline::{Keyframes, Parameters, PointFormula, TimelineError};
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
 
@@ -37,7 +37,7 @@ pub struct Pins {
 struct Group {
     /// Vertices and where they belong at rest.
     rest: Vec<(VertexId, DVec3)>,
-    formula: Option<[Formula; 3]>,
+    formula: Option<PointFormula>,
     /// Translation, and degrees about x, y, z.
     motion: Option<[Keyframes<DVec3>; 2]>,
 }
@@ -78,7 +78,9 @@ impl Pins {
 
     /// Whether any moves with time.
     pub fn changes(&self) -> bool {
-        self.groups.iter().any(|group| group.motion.is_some() || group.formula.iter().flatten().any(Formula::changes))
+        self.groups
+            .iter()
+            .any(|group| group.motion.is_some() || group.formula.as_ref().is_some_and(PointFormula::changes))
     }
 
     /// Pinned vertices and where they are at a time, each vertex once, in order.
@@ -128,10 +130,9 @@ impl Group {
             (None, None) => Err(PinError::NoPositions),
         };
         let rest = vertices.iter().enumerate().map(place).collect::<Result<_, _>>()?;
-        let parse = |text: &String| Formula::parse(text, &["x", "y", "z"], parameters);
         let formula = match &section.formula {
             None => None,
-            Some([x, y, z]) => Some([parse(x)?, parse(y)?, parse(z)?]),
+            Some(texts) => Some(PointFormula::parse(texts, parameters)?),
         };
         let motion = match &section.motion {
             None => None,
@@ -149,11 +150,8 @@ impl Group {
     fn at(&self, time: f64) -> Vec<(VertexId, DVec3)> {
         let mut places = self.rest.clone();
         if let Some(formula) = &self.formula {
-            let [x, y, z] = formula.each_ref().map(|formula| formula.at(time));
-            for (_, place) in &mut places {
-                let p = place.to_array();
-                *place = DVec3::new(x.value(&p), y.value(&p), z.value(&p));
-            }
+            let formula = formula.at(time);
+            places.iter_mut().for_each(|(_, place)| *place = formula.point(*place));
         }
         if let Some([translation, rotation]) = &self.motion {
             let center = places.iter().map(|(_, place)| *place).sum::<DVec3>() / places.len() as f64;

@@ -26,6 +26,7 @@ pub fn spin_from_scene(
             let digits: Vec<bool> = digits.bytes().map(|digit| digit == b'1').collect();
             SpinStructure::of_class(mesh, metric, homology, &digits)
         }
+        (SpinSection::All, _) => SpinStructure::of_class(mesh, metric, homology, &vec![false; homology.betti()]),
         // There is nothing to read where there is but one class.
         (SpinSection::Automatic, _) if homology.betti() == 0 => Ok(SpinStructure::new(mesh, metric, homology)),
         (SpinSection::Automatic, None) => {

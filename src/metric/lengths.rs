@@ -1,9 +1,9 @@
 //! Edge lengths at a time, from the mesh, a file or a formula.
 
 use super::{MetricError, lengths_of_positions};
-use crate::mesh::{Surface, read_edge_lengths, read_positions};
+use crate::mesh::{Surface, VertexId, read_edge_lengths, read_positions};
 use crate::scene::{AtKey, LengthSource};
-use crate::timeline::{Formula, Parameters};
+use crate::timeline::{Formula, Parameters, PointFormula};
 use glam::DVec3;
 use std::path::Path;
 use std::sync::Arc;
@@ -12,6 +12,7 @@ use std::sync::Arc;
 #[derive(Clone, Debug)]
 pub(super) enum Lengths {
     Fixed(Vec<f64>),
+    Positions { formula: PointFormula, places: Vec<DVec3>, edges: Vec<[VertexId; 2]> },
     Formula { formula: Formula, of_mesh: Vec<f64>, ends: Vec<[DVec3; 2]> },
 }
 
@@ -35,6 +36,15 @@ impl Lengths {
                 mesh,
                 &read_positions(&folder.join(path), mesh).map_err(AtKey::of(format!("{key}.file")))?,
             ),
+            LengthSource::Positions(texts) => {
+                let key = format!("{key}.positions");
+                let formula = PointFormula::parse(texts, parameters).map_err(AtKey::of(&*key))?;
+                let Some(places) = surface.places() else {
+                    return Err(AtKey { key, error: MetricError::FormulaWithoutPositions });
+                };
+                let edges = mesh.edges().map(|e| mesh.edge_vertices(e)).collect();
+                return Ok(Lengths::Positions { formula, places: places.to_vec(), edges });
+            }
             LengthSource::Formula(text) => {
                 let key = format!("{key}.formula");
                 let formula = Formula::parse(text, &VARIABLES, parameters).map_err(AtKey::of(&*key))?;
@@ -42,7 +52,7 @@ impl Lengths {
                     return Err(AtKey { key, error: MetricError::FormulaWithoutPositions });
                 }
                 let of_mesh = lengths_of_surface(surface).map_err(AtKey::of(key))?;
-                let place = |v: crate::mesh::VertexId| positions.as_ref().map_or(DVec3::ZERO, |p| p[v.index()]);
+                let place = |v: VertexId| positions.as_ref().map_or(DVec3::ZERO, |p| p[v.index()]);
                 let ends = mesh.edges().map(|e| mesh.edge_vertices(e).map(place)).collect();
                 return Ok(Lengths::Formula { formula, of_mesh, ends });
             }
@@ -53,6 +63,11 @@ impl Lengths {
     pub fn at(&self, time: f64) -> Vec<f64> {
         match self {
             Lengths::Fixed(lengths) => lengths.clone(),
+            Lengths::Positions { formula, places, edges } => {
+                let formula = formula.at(time);
+                let moved: Vec<DVec3> = places.iter().map(|&p| formula.point(p)).collect();
+                edges.iter().map(|[a, b]| moved[a.index()].distance(moved[b.index()])).collect()
+            }
             Lengths::Formula { formula, of_mesh, ends } => {
                 let formula = formula.at(time);
                 let length = |([a, b], &length): (&[DVec3; 2], &f64)| {
@@ -65,7 +80,11 @@ impl Lengths {
     }
 
     pub fn changes(&self) -> bool {
-        matches!(self, Lengths::Formula { formula, .. } if formula.changes())
+        match self {
+            Lengths::Fixed(_) => false,
+            Lengths::Positions { formula, .. } => formula.changes(),
+            Lengths::Formula { formula, .. } => formula.changes(),
+        }
     }
 }
 

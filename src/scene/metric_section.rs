@@ -52,14 +52,18 @@ fn length_source(table: &mut Table) -> LengthSource {
     let file = table
         .key::<String>("file", "Another mesh with the same connectivity, whose lengths are taken.")
         .optional("other.obj".into());
+    let doc = "Lengths of the mesh with its vertices moved: x, y and z as expressions in x, y, z of the vertex, `t` and \
+               the parameters.";
+    let positions = table.key::<[String; 3]>("positions", doc).optional(["2 * x", "y", "z"].map(str::to_owned));
     let doc = "An expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the length of the \
                mesh, time `t` and the parameters.";
     let formula = table.key::<String>("formula", doc).optional("length * (1 + 0.2 * z)".into());
-    table.only_one_of(&["length", "csv", "file", "formula"]);
-    match (length, csv, file, formula) {
+    table.only_one_of(&["length", "csv", "file", "positions", "formula"]);
+    match (length, csv, file, positions, formula) {
         (Some(length), ..) => LengthSource::Uniform(length),
         (_, Some(csv), ..) => LengthSource::Csv(csv.into()),
-        (_, _, Some(file), _) => LengthSource::File(file.into()),
+        (_, _, Some(file), ..) => LengthSource::File(file.into()),
+        (_, _, _, Some(positions), _) => LengthSource::Positions(positions),
         (.., Some(formula)) => LengthSource::Formula(formula),
         _ => LengthSource::OfMesh,
     }

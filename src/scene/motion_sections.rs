@@ -8,10 +8,11 @@ use super::table::Table;
 const MAX_FRAMES: f64 = 999_999.0;
 
 pub(super) fn spin(table: &mut Table) -> SpinSection {
-    let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions.";
+    let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions; or \"all\": one a frame.";
     match table.key::<String>("class", doc).optional("01".into()) {
         None => SpinSection::Automatic,
         Some(class) if class == "immersion" => SpinSection::Immersion,
+        Some(class) if class == "all" => SpinSection::All,
         Some(class) => SpinSection::Digits(binary_digits(table, "class", class)),
     }
 }

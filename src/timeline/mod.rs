@@ -5,9 +5,11 @@ mod error;
 mod formula;
 mod keyframes;
 mod parameters;
+mod point_formula;
 
 pub use clock::Clock;
 pub use error::TimelineError;
 pub use formula::{Formula, FormulaAt};
 pub use keyframes::{Keyframes, eased};
 pub use parameters::{Number, Parameters};
+pub use point_formula::{PointFormula, PointFormulaAt};

@@ -32,6 +32,9 @@ pub enum LengthSource {
     Csv(PathBuf),
     /// `file = "…"`: the lengths of another mesh with the same connectivity.
     File(PathBuf),
+    /// `positions = ["…", "…", "…"]`: the lengths of the mesh with its vertices moved to x, y and z by these
+    /// expressions in x, y, z of the vertex, time `t` and the parameters.
+    Positions([String; 3]),
     /// `formula = "…"`: an expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the
     /// length of the mesh, time `t` and the parameters.
     Formula(String),

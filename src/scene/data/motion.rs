@@ -11,6 +11,8 @@ pub enum SpinSection {
     Automatic,
     /// `class = "immersion"`: read off the mesh's positions (Sec. 4.1.2).
     Immersion,
+    /// `class = "all"`: every class in turn, one a frame, each relaxed from the start.
+    All,
     /// `class = "01"`: one digit of q per generator, shortest generator first.
     Digits(String),
 }
