@@ -2,11 +2,12 @@
 
 use super::Poisson;
 use crate::algebra::quaternion;
-use crate::mesh::{HalfedgeId, Mesh};
+use crate::mesh::{EdgeId, HalfedgeId, Mesh};
 use crate::metric::Metric;
 use crate::spin::Homology;
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
+use std::collections::VecDeque;
 
 /// `ω_i(v)` for a halfedge of face `i` (Eq. 10): the edge vector as the face's own frame sees it.
 #[inline]
@@ -41,19 +42,8 @@ pub struct Periods {
 impl Periods {
     /// One Poisson solve for every three generators.
     pub fn new(mesh: &Mesh, metric: &Metric, homology: &Homology, poisson: &Poisson) -> Periods {
-        let closed: Vec<Vec<f64>> = homology
-            .generators()
-            .iter()
-            .map(|generator| {
-                // The form that counts crossings of the strip is closed, and its periods are those crossing numbers.
-                let mut form = vec![0.0; mesh.edge_count()];
-                for &h in generator.strip.exits() {
-                    let e = mesh.edge(h);
-                    form[e.index()] += if mesh.edge_halfedge(e) == h { 1.0 } else { -1.0 };
-                }
-                form
-            })
-            .collect();
+        let closed: Vec<Vec<f64>> =
+            homology.generators().iter().map(|g| crossings(mesh, &oriented(mesh, &g.path))).collect();
         let mut basis: Vec<Vec<f64>> = Vec::with_capacity(closed.len());
         for group in closed.chunks(3) {
             let value = |e: usize, k: usize| group.get(k).map_or(0.0, |form| form[e]);
@@ -100,6 +90,63 @@ impl Periods {
         let scale: f64 = mesh.edges().map(|e| weighted(e) * metric.length(e).powi(2)).sum();
         (error / scale).sqrt()
     }
+}
+
+/// A path with its edges in order, each as a halfedge in the direction of the path. `path` begins with one of its
+/// edges, from whose ends it is followed one after the other.
+fn oriented(mesh: &Mesh, path: &[EdgeId]) -> Vec<HalfedgeId> {
+    let Some((&first, rest)) = path.split_first() else { return Vec::new() };
+    let [mut start, mut end] = mesh.edge_vertices(first);
+    let mut ordered = VecDeque::from([(first, start)]);
+    for &e in rest {
+        let [a, b] = mesh.edge_vertices(e);
+        let ends = [(a, b), (b, a)];
+        if let Some((_, far)) = ends.into_iter().find(|(near, _)| *near == start) {
+            ordered.push_front((e, far));
+            start = far;
+        } else if let Some((near, far)) = ends.into_iter().find(|(near, _)| *near == end) {
+            ordered.push_back((e, near));
+            end = far;
+        }
+    }
+    let halfedge = |(e, tail)| mesh.halfedges_of(e).find(|&h| mesh.tail(h) == tail);
+    ordered.into_iter().filter_map(halfedge).collect()
+}
+
+/// How often each edge crosses a closed path, or one from boundary to boundary, when it is pushed a little to its
+/// left: a closed form whose period along a strip is how often the strip crosses the path.
+///
+/// Counting crossings of a strip would not do on a surface with boundary: along a strip around a boundary curve that
+/// form has no period at all.
+fn crossings(mesh: &Mesh, path: &[HalfedgeId]) -> Vec<f64> {
+    let mut form = vec![0.0; mesh.edge_count()];
+    let mut add = |h: HalfedgeId, count: f64| {
+        let e = mesh.edge(h);
+        form[e.index()] += if mesh.edge_halfedge(e) == h { count } else { -count };
+    };
+    let ends = path.last().zip(path.first()).map(|(&last, &first)| (last, mesh.tip(last), mesh.tail(first)));
+    // A path that comes back to a boundary vertex may as well end there.
+    let closing = ends.and_then(|(last, to, from)| (to == from && !mesh.is_boundary_vertex(to)).then_some(last));
+    for (k, &h) in path.iter().enumerate() {
+        let before = if k > 0 { Some(path[k - 1]) } else { closing };
+        // Counterclockwise around the tail, to where the path came from or to the boundary.
+        let mut side = h.previous();
+        while before.is_none_or(|before| mesh.edge(before) != mesh.edge(side)) {
+            add(side, -1.0);
+            let Some(twin) = mesh.twin(side) else { break };
+            side = twin.previous();
+        }
+        // Clockwise around the tip, where the path ends on the boundary.
+        if k + 1 == path.len() && closing.is_none() {
+            let mut side = h.next();
+            loop {
+                add(side, 1.0);
+                let Some(twin) = mesh.twin(side) else { break };
+                side = twin.next();
+            }
+        }
+    }
+    form
 }
 
 fn inner(mesh: &Mesh, metric: &Metric, a: &[f64], b: &[f64]) -> f64 {
