@@ -30,6 +30,15 @@ impl Simulation {
         Ok(())
     }
 
+    /// Once around a loop, so that its first frame is what the last one leads to.
+    pub(super) fn run_a_lap(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
+        let clock = self.clock;
+        for time in clock.times().skip(1).chain([clock.time(1)]) {
+            self.follow(time, settling, observer)?;
+        }
+        Ok(())
+    }
+
     /// How many parts the way to a time is to be cut into.
     fn parts_to(&mut self, time: f64, max_strain: f64) -> Result<usize, EvolveError> {
         let there = self.metric_at(time)?.metric;

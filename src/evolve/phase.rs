@@ -66,9 +66,11 @@ pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom) -> Vec<Ph
 /// gradually, since a surface with periods collapses under full feedback while its frames are still random; periods
 /// are taken out on their own from the start; ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer
 /// does it (earlier they would only keep tangles from resolving), and from there on steps are accelerated. The
-/// second stage is the one that resolves rims, and gets the time it needs for that.
+/// second stage is the one that resolves rims, and gets the time it needs for that. The last two take shorter steps:
+/// under full feedback a surface comes to rest between one step of bending and one projection, so what is left of the
+/// length error is in proportion to Δt.
 pub fn default_phases() -> Vec<Phase> {
-    let shaping = PhaseSection { crease: 0.0, accelerate: false, ..PhaseSection::default() };
+    let shaping = PhaseSection { dt: 100.0, crease: 0.0, accelerate: false, ..PhaseSection::default() };
     let settling = PhaseSection::default();
     [
         PhaseSection {

@@ -13,13 +13,15 @@ enum Ground<'a> {
 
 impl Simulation {
     /// Takes away the rigid motion that the metric leaves to every component without pins. The first frame is laid
-    /// upon the positions it started from, or along its principal axes; every other one upon the one before. Only a
-    /// film of the relaxation from random frames is laid upon the mesh, as far as it is known, from beginning to end.
+    /// upon the positions it started from, or along its principal axes; every other one upon the one before. Only
+    /// films that loop, and those of the relaxation from random frames, are laid upon the first positions as far as
+    /// they are known: small turns would add up.
     pub(super) fn place(&mut self, positions: &mut [DVec3]) {
+        let looping = self.clock.is_looping();
         let relaxing_from_nowhere = self.seed.is_some() && matches!(self.pace, Pace::Steps(_));
         let first = self.previous.is_none();
         let ground = match (&self.previous, self.shape.as_ref().or(self.original.as_ref())) {
-            (_, Some(reference)) if first || relaxing_from_nowhere => Ground::Positions(reference),
+            (_, Some(reference)) if first || looping || relaxing_from_nowhere => Ground::Positions(reference),
             (Some(previous), _) => Ground::Positions(&previous.positions),
             // On the way axes would swing about.
             (None, _) if relaxing_from_nowhere => return,

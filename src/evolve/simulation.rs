@@ -185,7 +185,12 @@ impl Simulation {
                 self.begin_class(made)?;
                 self.run_all_phases(observer)?;
             }
-            (Pace::Settle(_), 0) => self.run_all_phases(observer)?,
+            (Pace::Settle(settling), 0) => {
+                self.run_all_phases(observer)?;
+                if self.clock.is_looping() {
+                    self.run_a_lap(&settling, observer)?;
+                }
+            }
             (Pace::Settle(settling), _) => self.follow(time, &settling, observer)?,
             // The first frame of a film of the relaxation is where it starts.
             (Pace::Steps(_), 0) => {}

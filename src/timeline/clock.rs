@@ -29,6 +29,11 @@ impl Clock {
         if part == 1.0 { self.end } else { self.start + (self.end - self.start) * part }
     }
 
+    /// Whether the first frame comes after the last one again.
+    pub fn is_looping(&self) -> bool {
+        self.looping
+    }
+
     /// All times, in order.
     pub fn times(&self) -> impl Iterator<Item = f64> {
         (1..=self.frames).map(|frame| self.time(frame))

@@ -33,7 +33,7 @@ impl Default for PhaseSection {
         Self {
             method: MethodName::Implicit,
             epsilon: [1.0, 1e-4, 1.0, 0.1],
-            dt: 100.0,
+            dt: 30.0,
             feedback: 1.0,
             periods: 1.0,
             crease: 1.0,
