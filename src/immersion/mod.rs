@@ -1,6 +1,7 @@
 //! Frames to positions and back, and what the result is worth.
 
 mod alignment;
+mod deform;
 mod edge_vectors;
 mod measure;
 mod pins;
@@ -9,6 +10,7 @@ mod polar;
 mod spin_of_immersion;
 
 pub use alignment::RigidMotion;
+pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
 pub use measure::{
     LengthError, bending_angles, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
