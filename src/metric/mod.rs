@@ -7,7 +7,7 @@ mod intrinsic;
 
 pub use conformal::{
     BoundaryCondition, CURVATURE_TOLERANCE, Conformal, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature,
-    RicciFlow, uniformize,
+    Region, RicciFlow, uniformize,
 };
 pub use error::MetricError;
 pub use from_scene::from_scene;
