@@ -103,6 +103,7 @@ fn curvature_in_proportion_to_area_on_every_genus() {
         ("unequal triangles", shapes::uv_sphere(1.0, 10, 40).expect("a sphere"), 3),
         ("hare", hare(0.1), 6),
         ("genus two", polyhedron("genus_two", 6), 3),
+        ("negative corners", polyhedron("genus_two_saddle", 8), 2),
     ];
     for (name, surface, most_iterations) in surfaces {
         let (mesh, before) = (&surface.mesh, lengths(&surface));
