@@ -4,7 +4,7 @@ mod support;
 
 use immerse::mesh::{EdgeId, Mesh, Surface, VertexId, shapes};
 use immerse::metric::{
-    BoundaryCondition, Conformal, CurvatureTarget, InteriorCurvature, Metric, MetricError, RicciFlow,
+    BoundaryCondition, Conformal, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow,
     lengths_of_positions, uniformize,
 };
 use immerse::scene::{Body, Grid, Operation, PolyhedronSource, Solid};
@@ -103,6 +103,7 @@ fn curvature_in_proportion_to_area_on_every_genus() {
         ("unequal triangles", shapes::uv_sphere(1.0, 10, 40).expect("a sphere"), 3),
         ("hare", hare(0.1), 6),
         ("genus two", polyhedron("genus_two", 6), 3),
+        ("negative corners", polyhedron("genus_two_saddle", 8), 2),
     ];
     for (name, surface, most_iterations) in surfaces {
         let (mesh, before) = (&surface.mesh, lengths(&surface));
@@ -213,6 +214,51 @@ fn curvature_minus_one_decides_the_area() {
     let areas = vertex_areas(&disk.mesh, &metric);
     for v in disk.mesh.vertices().filter(|&v| !disk.mesh.is_boundary_vertex(v)).map(VertexId::index) {
         assert!((curvature[v] + areas[v]).abs() < 1e-10);
+    }
+}
+
+/// Two caps take all the curvature of a sphere, half each, and leave a cylinder; or more than all, and leave a neck.
+#[test]
+fn curvature_goes_where_regions_say() {
+    let surface = shapes::sphere(1.0, 12).expect("a sphere");
+    let (mesh, before) = (&surface.mesh, lengths(&surface));
+    let positions = surface.positions.as_ref().expect("positions");
+    let cap = |side: f64, curvature: f64| Region {
+        vertices: mesh.vertices().filter(|v| side * positions[v.index()].z > 0.7).collect(),
+        curvature,
+    };
+    for (upper, lower) in [(TAU, TAU), (TAU, 1.5 * TAU), (0.5 * TAU, TAU)] {
+        let regions = vec![cap(1.0, upper), cap(-1.0, lower)];
+        let target = CurvatureTarget::per_region(regions.clone());
+        let result = uniformize(mesh, &before, &target).expect("two caps");
+        let (metric, curvature) = curvatures(mesh, &result.edge_lengths);
+        let areas = vertex_areas(mesh, &metric);
+        let among = |vertices: &[usize], total: f64| {
+            let area: f64 = vertices.iter().map(|&v| areas[v]).sum();
+            assert!(
+                vertices.iter().all(|&v| (curvature[v] - total * areas[v] / area).abs() < 1e-10),
+                "{upper} {lower}"
+            );
+        };
+        let caps = regions.iter().map(|cap| cap.vertices.iter().map(|v| v.index()).collect::<Vec<_>>());
+        let rest: Vec<usize> = (0..mesh.vertex_count()).filter(|&v| positions[v].z.abs() <= 0.7).collect();
+        caps.zip([upper, lower]).for_each(|(cap, total)| among(&cap, total));
+        among(&rest, 2.0 * TAU - upper - lower);
+
+        let mut flow = RicciFlow::new(mesh, &before, &target).expect("a flow");
+        let off = furthest(&flow.advance_to(24.0).expect("lengths"), &result.edge_lengths);
+        assert!(off < 1e-6, "{upper} {lower}: the flow ends {off:e} away");
+    }
+
+    let refuse = |regions: &[Region]| uniformize(mesh, &before, &CurvatureTarget::per_region(regions.to_vec()));
+    let whole = Region { vertices: mesh.vertices().collect(), curvature: TAU };
+    assert!(matches!(refuse(std::slice::from_ref(&whole)), Err(MetricError::GaussBonnet { .. })));
+    let nobody = Region { vertices: vec![VertexId::new(mesh.vertex_count())], curvature: 0.0 };
+    let empty = Region { vertices: vec![], curvature: 0.0 };
+    for bad in [vec![cap(1.0, 1.0), whole], vec![nobody], vec![empty], vec![cap(1.0, f64::NAN)]] {
+        let last = bad.len() - 1;
+        let error = refuse(&bad).expect_err("a mistake");
+        assert!(matches!(error, MetricError::TargetRegion { region, .. } if region == last), "{error}");
     }
 }
 

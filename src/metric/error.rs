@@ -33,6 +33,8 @@ pub enum MetricError {
          which a vertex without any angle would have"
     )]
     TargetCurvature { vertex: usize, value: f64, limit: f64 },
+    #[error("region {region} of the target curvature: {reason}; give every region some interior vertices of its own")]
+    TargetRegion { region: usize, reason: String },
     #[error("the target curvature per area is {density}; it must be finite")]
     TargetDensity { density: f64 },
     #[error(

@@ -9,7 +9,7 @@ mod program;
 
 pub use conformal::{
     BoundaryCondition, CURVATURE_TOLERANCE, Conformal, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature,
-    RicciFlow, uniformize,
+    Region, RicciFlow, uniformize,
 };
 pub use error::MetricError;
 pub use intrinsic::{Metric, TRIANGLE_MARGIN, lengths_of_positions};

@@ -10,5 +10,5 @@ mod triangulation;
 mod uniformize;
 
 pub use ricci::RicciFlow;
-pub use target::{BoundaryCondition, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature};
+pub use target::{BoundaryCondition, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature, Region};
 pub use uniformize::{CURVATURE_TOLERANCE, Conformal, uniformize};

@@ -172,8 +172,9 @@ impl RicciFlow {
         // densities c add −2cA, the derivative of the target by the areas in the limit of fine meshes.
         let pace = pace(&from.shape);
         let mass: Vec<f64> = from.shape.areas.iter().map(|area| area / (GAMMA * h * pace)).collect();
-        let density = self.goal.density(&self.triangulation, &from.shape).min(0.0);
-        let diagonal: Vec<f64> = from.shape.areas.iter().zip(&mass).map(|(a, m)| m - 2.0 * density * a).collect();
+        let densities = self.goal.densities(&self.triangulation, &from.shape);
+        let diagonal: Vec<f64> =
+            (0..mass.len()).map(|v| mass[v] - 2.0 * densities[v].min(0.0) * from.shape.areas[v]).collect();
         let inverse = LaplacianInverse::new(&self.triangulation, &from.shape, &self.goal.free, Some(&diagonal))?;
         let solve = |r: &[f64]| inverse.apply(&r.iter().zip(&mass).map(|(r, m)| r * m).collect::<Vec<_>>());
 

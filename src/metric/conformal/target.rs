@@ -35,6 +35,18 @@ pub enum InteriorCurvature {
     Density(f64),
     /// In radians, one per vertex, |V|; entries of boundary vertices are not read. Each below `2π`.
     PerVertex(Vec<f64>),
+    /// As much as each region says, within it in proportion to vertex area. What Gauss–Bonnet leaves is spread over
+    /// all other interior vertices in the same way.
+    PerRegion(Vec<Region>),
+}
+
+/// A part of the surface with the curvature it is to have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// Vertices, each in one region only. Those on the boundary are passed over.
+    pub vertices: Vec<VertexId>,
+    /// The sum of their curvatures in radians.
+    pub curvature: f64,
 }
 
 /// What happens on the boundary.
@@ -63,6 +75,11 @@ impl CurvatureTarget {
     pub fn per_vertex(curvature: Vec<f64>) -> Self {
         CurvatureTarget { interior: InteriorCurvature::PerVertex(curvature), ..Default::default() }
     }
+
+    /// The given total curvature of each region, see [`InteriorCurvature::PerRegion`].
+    pub fn per_region(regions: Vec<Region>) -> Self {
+        CurvatureTarget { interior: InteriorCurvature::PerRegion(regions), ..Default::default() }
+    }
 }
 
 /// A target checked against a mesh.
@@ -79,8 +96,11 @@ pub(super) struct Goal {
 #[derive(Clone, Debug)]
 enum Interior {
     PerVertex(Vec<f64>),
-    /// This much curvature, in proportion to area.
-    Total(f64),
+    /// Per vertex its group, and per group this much curvature, in proportion to area.
+    Totals {
+        groups: Vec<usize>,
+        totals: Vec<f64>,
+    },
     /// This much per area; only where the boundary is held, so that there is a scale.
     Density(f64),
 }
@@ -95,8 +115,8 @@ enum Scale {
 
 impl Goal {
     /// # Errors
-    /// [`MetricError::TargetCount`], [`MetricError::TargetCurvature`], [`MetricError::GaussBonnet`],
-    /// [`MetricError::Disconnected`].
+    /// [`MetricError::TargetCount`], [`MetricError::TargetCurvature`], [`MetricError::TargetRegion`],
+    /// [`MetricError::GaussBonnet`], [`MetricError::Disconnected`].
     pub fn new(target: &CurvatureTarget, mesh: &Mesh, metric: &Metric) -> Result<Goal, MetricError> {
         let vertices = mesh.vertex_count();
         let on_boundary: Vec<bool> = mesh.vertices().map(|v| mesh.is_boundary_vertex(v)).collect();
@@ -106,7 +126,7 @@ impl Goal {
             return Err(MetricError::Disconnected { components });
         }
         let mut goal = Goal {
-            interior: Interior::Total(0.0),
+            interior: Interior::Density(0.0),
             turning: vec![0.0; vertices],
             free: vec![true; vertices],
             scale: if target.keep_area { Scale::Area(metric.total_area()) } else { Scale::MeanZero },
@@ -158,7 +178,17 @@ impl Goal {
                 gauss_bonnet((0..vertices).filter(inside).map(|v| values[v]).sum())?;
                 Interior::PerVertex(values.clone())
             }
-            InteriorCurvature::Constant => Interior::Total(total),
+            InteriorCurvature::Constant => Interior::evenly(vertices, total),
+            InteriorCurvature::PerRegion(regions) => {
+                let groups = groups(regions, &on_boundary)?;
+                let mut totals: Vec<f64> = regions.iter().map(|region| region.curvature).collect();
+                let sum = totals.iter().sum::<f64>();
+                if (0..vertices).filter(inside).all(|v| groups[v] < regions.len()) {
+                    gauss_bonnet(sum)?;
+                }
+                totals.push(total - sum);
+                Interior::Totals { groups, totals }
+            }
             InteriorCurvature::Density(density) if !density.is_finite() => {
                 return Err(MetricError::TargetDensity { density: *density });
             }
@@ -170,7 +200,7 @@ impl Goal {
                 } else {
                     goal.scale = Scale::Area(total / density);
                 }
-                Interior::Total(total)
+                Interior::evenly(vertices, total)
             }
         };
         if (0..vertices).filter(inside).count() == 0 && !held {
@@ -181,56 +211,55 @@ impl Goal {
 
     /// Target curvature per vertex for a shape; what is held gets the curvature it has.
     pub fn curvature(&self, triangulation: &Triangulation, shape: &Shape) -> Vec<f64> {
-        let density = self.density(triangulation, shape);
+        let densities = self.densities(triangulation, shape);
         (0..self.free.len())
             .map(|v| match &self.interior {
                 _ if !self.free[v] => shape.curvature[v],
                 _ if triangulation.on_boundary[v] => self.turning[v],
                 Interior::PerVertex(values) => values[v],
-                _ => density * shape.areas[v],
+                _ => densities[v] * shape.areas[v],
             })
             .collect()
     }
 
     /// Replaces positive curvature in proportion to area by that of the shape at the end.
     pub fn settle_positive(&mut self, end: &Triangulation, shape: &Shape) {
-        if self.density(end, shape) > 0.0 {
+        if self.densities(end, shape).iter().any(|&density| density > 0.0) {
             self.interior = Interior::PerVertex(shape.curvature.clone());
         }
     }
 
     /// Derivative of [`Goal::curvature`] of the free vertices in the direction `x`, 0 for the others.
     pub fn curvature_change(&self, triangulation: &Triangulation, shape: &Shape, x: &[f64]) -> Vec<f64> {
-        let n = x.len();
-        if let Interior::PerVertex(_) = self.interior {
-            return vec![0.0; n];
-        }
-        let inside = |v: &usize| !triangulation.on_boundary[*v];
-        let density = self.density(triangulation, shape);
-        let mut change = triangulation.area_change(shape, x);
-        let relative = if let Interior::Total(_) = self.interior {
-            let sum = |values: &[f64]| (0..n).filter(inside).map(|v| values[v]).sum::<f64>();
-            sum(&change) / sum(&shape.areas)
-        } else {
-            0.0
+        let densities = self.densities(triangulation, shape);
+        let mut change = match &self.interior {
+            Interior::PerVertex(_) => return vec![0.0; x.len()],
+            _ => triangulation.area_change(shape, x),
         };
-        for (v, change) in change.iter_mut().enumerate() {
-            *change = if inside(&v) { density * (*change - relative * shape.areas[v]) } else { 0.0 };
+        if let Interior::Totals { groups, totals } = &self.interior {
+            // Where a group grows as a whole, its density falls.
+            let growth = ratios(
+                &sums(groups, totals.len(), &change, triangulation),
+                &sums(groups, totals.len(), &shape.areas, triangulation),
+            );
+            change.iter_mut().enumerate().for_each(|(v, change)| *change -= growth[groups[v]] * shape.areas[v]);
         }
-        change
+        change.iter().zip(densities).map(|(change, density)| density * change).collect()
     }
 
-    /// Curvature per area inside, 0 where each vertex has its own.
-    pub fn density(&self, triangulation: &Triangulation, shape: &Shape) -> f64 {
-        match self.interior {
-            Interior::PerVertex(_) => 0.0,
-            Interior::Density(density) => density,
-            Interior::Total(total) => {
-                let inside = shape.areas.iter().zip(&triangulation.on_boundary).filter(|(_, boundary)| !**boundary);
-                let area: f64 = inside.map(|(area, _)| area).sum();
-                if area > 0.0 { total / area } else { 0.0 }
+    /// Curvature per area at each vertex, 0 on the boundary and where each vertex has its own.
+    pub fn densities(&self, triangulation: &Triangulation, shape: &Shape) -> Vec<f64> {
+        let mut densities = match &self.interior {
+            Interior::PerVertex(_) => vec![0.0; self.free.len()],
+            Interior::Density(density) => vec![*density; self.free.len()],
+            Interior::Totals { groups, totals } => {
+                let of_groups = ratios(totals, &sums(groups, totals.len(), &shape.areas, triangulation));
+                groups.iter().map(|&group| of_groups[group]).collect()
             }
-        }
+        };
+        let boundary = densities.iter_mut().zip(&triangulation.on_boundary).filter(|(_, boundary)| **boundary);
+        boundary.for_each(|(density, _)| *density = 0.0);
+        densities
     }
 
     /// What to add to `u` to give the metric its scale, at a time of the flow, or at its end if that is infinite.
@@ -251,4 +280,51 @@ impl Goal {
             }
         })
     }
+}
+
+impl Interior {
+    fn evenly(vertices: usize, total: f64) -> Interior {
+        Interior::Totals { groups: vec![0; vertices], totals: vec![total] }
+    }
+}
+
+/// Per vertex the region it is in, or the number of regions if it is in none.
+fn groups(regions: &[Region], on_boundary: &[bool]) -> Result<Vec<usize>, MetricError> {
+    let mut groups = vec![regions.len(); on_boundary.len()];
+    for (number, region) in regions.iter().enumerate() {
+        let refuse = |reason: String| Err(MetricError::TargetRegion { region: number, reason });
+        if !region.curvature.is_finite() {
+            return refuse(format!("its curvature is {}", region.curvature));
+        }
+        let mut empty = true;
+        for v in region.vertices.iter().map(|v| v.index()) {
+            match groups.get(v) {
+                None => return refuse(format!("vertex {v} is none of the {} of the mesh", groups.len())),
+                Some(_) if on_boundary[v] => continue,
+                Some(&other) if other == number => return refuse(format!("it names vertex {v} twice")),
+                Some(&other) if other < regions.len() => {
+                    return refuse(format!("vertex {v} is in region {other} already"));
+                }
+                Some(_) => (groups[v], empty) = (number, false),
+            }
+        }
+        if empty {
+            return refuse("it has no interior vertices".to_owned());
+        }
+    }
+    Ok(groups)
+}
+
+/// Sum of values over the interior vertices of each group.
+fn sums(groups: &[usize], count: usize, values: &[f64], triangulation: &Triangulation) -> Vec<f64> {
+    let mut sums = vec![0.0; count];
+    for (v, &group) in groups.iter().enumerate().filter(|(v, _)| !triangulation.on_boundary[*v]) {
+        sums[group] += values[v];
+    }
+    sums
+}
+
+/// Quotients, 0 for a group that is empty.
+fn ratios(values: &[f64], areas: &[f64]) -> Vec<f64> {
+    values.iter().zip(areas).map(|(value, area)| if *area > 0.0 { value / area } else { 0.0 }).collect()
 }

@@ -1,8 +1,8 @@
 //! Derivatives against finite differences, and flips against the metric they must not change.
 
-use super::target::{BoundaryCondition, CurvatureTarget, Goal, InteriorCurvature};
+use super::target::{BoundaryCondition, CurvatureTarget, Goal, InteriorCurvature, Region};
 use super::triangulation::Triangulation;
-use crate::mesh::{Mesh, Surface, shapes};
+use crate::mesh::{Mesh, Surface, VertexId, shapes};
 use crate::metric::Metric;
 use crate::scene::PolyhedronSource;
 
@@ -78,7 +78,12 @@ fn derivatives_match_finite_differences() {
         assert!((xy - yx).abs() < 1e-12 * xy.abs().max(1.0), "{xy} against {yx}");
         assert!(pair(&curvature, &x) > 0.0, "not convex");
 
-        for interior in [InteriorCurvature::Constant, InteriorCurvature::Density(-0.3)] {
+        let part = |k: usize, curvature: f64| Region {
+            vertices: mesh.vertices().filter(|v| v.index() % 3 == k).collect::<Vec<VertexId>>(),
+            curvature,
+        };
+        let regions = InteriorCurvature::PerRegion(vec![part(0, 1.0), part(2, -0.5)]);
+        for interior in [InteriorCurvature::Constant, InteriorCurvature::Density(-0.3), regions] {
             for boundary in [BoundaryCondition::Isometric, BoundaryCondition::TurningAngles(vec![0.1; n])] {
                 let target = CurvatureTarget { interior: interior.clone(), boundary, keep_area: true };
                 let Ok(goal) = Goal::new(&target, &mesh, &metric) else { continue };

@@ -52,9 +52,9 @@ pub struct Conformal {
 ///
 /// # Errors
 /// What [`Metric::new`] refuses; [`MetricError::TargetCount`], [`MetricError::TargetCurvature`],
-/// [`MetricError::TargetDensity`], [`MetricError::GaussBonnet`] and [`MetricError::Disconnected`] for targets that
-/// cannot be; [`MetricError::NotConverged`], and [`MetricError::NotStraight`] where the solution is no metric on
-/// this mesh.
+/// [`MetricError::TargetDensity`], [`MetricError::TargetRegion`], [`MetricError::GaussBonnet`] and
+/// [`MetricError::Disconnected`] for targets that cannot be; [`MetricError::NotConverged`], and
+/// [`MetricError::NotStraight`] where the solution is no metric on this mesh.
 pub fn uniformize(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<Conformal, MetricError> {
     let metric = Metric::new(mesh, edge_lengths.to_vec())?;
     let goal = Goal::new(target, mesh, &metric)?;
