@@ -1,8 +1,8 @@
 //! The positions that frames start from: the mesh, its mirror image or a file, deformed as the scene says.
 
-use super::noise_displacement;
+use super::{noise_along_normals, noise_displacement};
 use crate::mesh::{Mesh, MeshError, read_positions};
-use crate::scene::{AtKey, StartFrom, StartSection};
+use crate::scene::{AtKey, NoiseSection, StartFrom, StartSection};
 use crate::timeline::{Parameters, PointFormula, TimelineError};
 use glam::DVec3;
 use std::path::Path;
@@ -60,7 +60,12 @@ pub fn initial_positions(
         }
     }
     if let Some(noise) = &section.noise {
-        shape = noise_displacement(&shape, noise.amplitude, noise.wavelength, noise.octaves, noise.seed);
+        let NoiseSection { amplitude, wavelength, octaves, seed, along_normals } = *noise;
+        shape = if along_normals {
+            noise_along_normals(mesh, &shape, amplitude, wavelength, octaves, seed)
+        } else {
+            noise_displacement(&shape, amplitude, wavelength, octaves, seed)
+        };
     }
     Ok(Some(shape))
 }

@@ -13,7 +13,7 @@ mod spin_of_immersion;
 
 pub use alignment::RigidMotion;
 pub use bending::{BendingError, TargetBending};
-pub use deform::noise_displacement;
+pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
 pub use initial_shape::{StartError, initial_positions};
 pub use measure::{

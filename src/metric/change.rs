@@ -1,11 +1,10 @@
 //! What a scene does to edge lengths: conformal factors and Ricci flow.
 
-use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, RicciFlow};
-use crate::mesh::{Mesh, Surface, VertexId, select_vertices};
+use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow};
+use crate::mesh::{Mesh, Surface, select_vertices};
 use crate::scene::{AtKey, ChangeKind, MetricChangeSection, RicciSection};
 use crate::timeline::{Formula, Number, Parameters};
 use glam::DVec3;
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 /// One `[[metric.change]]`.
@@ -34,7 +33,7 @@ struct Flow {
 #[derive(Clone, Debug)]
 struct Target {
     section: RicciSection,
-    regions: Vec<(Vec<VertexId>, f64)>,
+    regions: Vec<Region>,
 }
 
 impl Change {
@@ -62,7 +61,7 @@ impl Change {
                 for (k, region) in section.regions.iter().enumerate() {
                     let vertices = select_vertices(&region.vertices, &surface.mesh, places)
                         .map_err(AtKey::of(at(&format!("region[{k}]"))))?;
-                    regions.push((vertices, region.total.to_radians()));
+                    regions.push(Region { vertices, curvature: region.total.to_radians() });
                 }
                 Kind::Ricci { target: Target { section: section.clone(), regions }, flow: None }
             }
@@ -121,43 +120,12 @@ impl Target {
             None => BoundaryCondition::Isometric,
             Some(degrees) => BoundaryCondition::TurningAngles(turning_angles(mesh, &metric, degrees.to_radians())),
         };
-        let interior = match (self.section.curvature, self.regions.is_empty()) {
-            (Some(density), true) => InteriorCurvature::Density(density),
-            (None, true) => InteriorCurvature::Constant,
-            (density, false) => {
-                InteriorCurvature::PerVertex(self.curvature_by_region(mesh, &metric, &boundary, density))
-            }
+        let interior = match self.section.curvature {
+            Some(density) => InteriorCurvature::Density(density),
+            None if self.regions.is_empty() => InteriorCurvature::Constant,
+            None => InteriorCurvature::PerRegion(self.regions.clone()),
         };
         Ok(CurvatureTarget { interior, boundary, keep_area: !self.section.free_area })
-    }
-
-    /// Regions get their totals, the other vertices `density` per area or, without one, what Gauss–Bonnet leaves,
-    /// in proportion to their areas at the start.
-    fn curvature_by_region(
-        &self,
-        mesh: &Mesh,
-        metric: &Metric,
-        boundary: &BoundaryCondition,
-        density: Option<f64>,
-    ) -> Vec<f64> {
-        let mut target: Vec<Option<f64>> = vec![None; mesh.vertex_count()];
-        for (vertices, total) in &self.regions {
-            let inside = || vertices.iter().filter(|v| !mesh.is_boundary_vertex(**v));
-            let share = total / inside().count() as f64;
-            inside().for_each(|v| target[v.index()] = Some(share));
-        }
-        let rest = match boundary {
-            BoundaryCondition::TurningAngles(angles) => angles.iter().sum::<f64>(),
-            BoundaryCondition::Isometric => {
-                mesh.vertices().filter(|&v| mesh.is_boundary_vertex(v)).map(|v| metric.curvature(mesh, v)).sum()
-            }
-        };
-        let left = TAU * mesh.euler_characteristic() as f64 - rest - target.iter().flatten().sum::<f64>();
-        let areas = metric.vertex_areas(mesh);
-        let open = |v: &VertexId| target[v.index()].is_none() && !mesh.is_boundary_vertex(*v);
-        let area: f64 = mesh.vertices().filter(open).map(|v| areas[v.index()]).sum();
-        let density = density.unwrap_or(left / area);
-        target.iter().zip(&areas).map(|(target, area)| target.unwrap_or(density * area)).collect()
     }
 }
 

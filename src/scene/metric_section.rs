@@ -106,6 +106,7 @@ fn conformal(table: &mut Table) -> ChangeKind {
 }
 
 fn ricci(table: &mut Table) -> ChangeKind {
+    table.only_one_of(&["curvature", "region"]);
     ChangeKind::Ricci(RicciSection {
         curvature: table
             .key("curvature", "Gaussian curvature inside; left out, the constant that Gauss-Bonnet leaves.")
@@ -121,6 +122,6 @@ fn ricci(table: &mut Table) -> ChangeKind {
 fn curvature_region(table: &mut Table) -> CurvatureRegionSection {
     CurvatureRegionSection {
         vertices: selection(table),
-        total: table.key("total", "Total curvature in degrees, spread evenly.").required(90.0),
+        total: table.key("total", "Total curvature in degrees, spread in proportion to area.").required(90.0),
     }
 }

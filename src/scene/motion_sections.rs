@@ -68,6 +68,7 @@ fn noise(table: &mut Table) -> NoiseSection {
             .at_most(16.0)
             .or(1),
         seed: table.key("seed", "Which of the many.").at_most(4_294_967_295.0).or(0),
+        along_normals: table.key("along_normals", "Whether vertices move along their normals only.").or(false),
     }
 }
 

@@ -88,7 +88,7 @@ pub enum ChangeKind {
 pub struct RicciSection {
     /// Gaussian curvature inside; left out, the constant that Gauss–Bonnet leaves.
     pub curvature: Option<f64>,
-    /// Regions among which curvature is distributed; without any, in proportion to area.
+    /// Regions with a total curvature of their own, in place of `curvature`.
     pub regions: Vec<CurvatureRegionSection>,
     /// Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary
     /// keeps its lengths.
@@ -102,6 +102,7 @@ pub struct RicciSection {
 pub struct CurvatureRegionSection {
     /// Which vertices.
     pub vertices: SelectionSection,
-    /// Total curvature in degrees, spread evenly. What Gauss–Bonnet leaves is spread over the vertices in no region.
+    /// Total curvature in degrees, spread in proportion to area. What Gauss–Bonnet leaves is spread over the vertices
+    /// in no region in the same way.
     pub total: f64,
 }

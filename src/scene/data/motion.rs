@@ -66,6 +66,8 @@ pub struct NoiseSection {
     pub octaves: usize,
     /// Which of the many.
     pub seed: u64,
+    /// Whether vertices move along their normals only.
+    pub along_normals: bool,
 }
 
 /// A set of vertices.
