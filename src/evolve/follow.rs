@@ -23,10 +23,10 @@ impl Simulation {
             let there = if part == parts { time } else { from + (time - from) * part as f64 / parts as f64 };
             self.move_to(there)?;
             let steps = if part == parts { settling.max_steps } else { STEPS_ON_THE_WAY };
-            self.cursor = Cursor { phase: self.phases.len(), step: 0, ..self.cursor };
+            self.cursor = Cursor { phase: self.phases.len(), step: 0, dt: 0.0, ..self.cursor };
             self.run_phase(&phase, steps, observer)?;
         }
-        self.cursor = Cursor { phase: self.phases.len(), step: 0, ..self.cursor };
+        self.cursor = Cursor { phase: self.phases.len(), step: 0, dt: 0.0, ..self.cursor };
         Ok(())
     }
 

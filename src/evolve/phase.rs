@@ -8,6 +8,8 @@ use crate::scene::{MethodName, PhaseSection, StartFrom};
 pub struct Phase {
     /// What each step is taken with.
     pub step: StepOptions,
+    /// If Δt changes from step to step: the mean turn per step in radians that it aims at.
+    pub turn_radians: Option<f64>,
     /// How far the frame of a face of mean area moves toward that of the integrated surface, 0 to 1 (Alg. 8).
     pub feedback: f64,
     /// How far frames move toward those of edge vectors without periods, 0 to 1.
@@ -39,6 +41,7 @@ impl Phase {
                 dt: section.dt,
                 solver_tolerance: SOLVER_TOLERANCE,
             },
+            turn_radians: section.turn.map(f64::to_radians),
             feedback: section.feedback,
             periods: section.periods,
             accelerate: section.accelerate,
@@ -49,6 +52,23 @@ impl Phase {
         }
     }
 }
+
+impl Phase {
+    /// Δt of the next step, after one of this length that turned frames by so much.
+    pub(super) fn next_dt(&self, dt: f64, turn: f64) -> f64 {
+        match self.turn_radians {
+            None => dt,
+            Some(target) => (dt * (target / turn).clamp(SLOWER, FASTER)).clamp(SHORTEST_STEP, LONGEST_STEP),
+        }
+    }
+}
+
+/// How much Δt may change from one step to the next.
+const SLOWER: f64 = 0.5;
+const FASTER: f64 = 1.5;
+/// Δt in mean face areas when it is chosen by the turn. Longer steps gain nothing.
+const SHORTEST_STEP: f64 = 0.1;
+const LONGEST_STEP: f64 = 1e4;
 
 /// The stages of a scene, or the default ones. Frames that start from positions are near to where they belong; they
 /// need only the last stage, and the stiffness of the earlier ones would iron out what the positions say.

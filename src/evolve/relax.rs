@@ -2,7 +2,7 @@
 
 use super::acceleration::Acceleration;
 use super::{Cursor, EvolveError, Observer, Phase, Progress, Simulation};
-use crate::frames::{Shell, random_frames};
+use crate::frames::{Shell, StepOptions, random_frames};
 use crate::immersion::*;
 use glam::{DQuat, DVec3};
 
@@ -40,7 +40,8 @@ impl Simulation {
         let mut acceleration = Acceleration::default();
         for taken in 1..=left {
             let before = self.frames.clone();
-            let positions = self.step(phase);
+            let dt = if self.cursor.dt > 0.0 { self.cursor.dt } else { phase.step.dt };
+            let positions = self.step(phase, dt);
             self.cursor.step += 1;
             self.cursor.steps += 1;
             let turn = mean_turn(&self.parts.shell, &before, &self.frames);
@@ -65,8 +66,11 @@ impl Simulation {
                 return Err(EvolveError::Stopped { steps: self.cursor.steps });
             }
             if settled || self.cursor.step >= max_steps {
-                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, ..self.cursor };
+                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, dt: 0.0, ..self.cursor };
                 return Ok(taken);
+            }
+            if phase.turn_radians.is_some() {
+                self.cursor.dt = phase.next_dt(dt, turn);
             }
             if phase.accelerate {
                 acceleration.correct(&before, &mut self.frames);
@@ -106,8 +110,9 @@ impl Simulation {
 
     /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
     /// Returns the positions of that surface.
-    fn step(&mut self, phase: &Phase) -> Vec<DVec3> {
-        self.stepper.advance(&self.parts.shell, &phase.step, &mut self.frames);
+    fn step(&mut self, phase: &Phase, dt: f64) -> Vec<DVec3> {
+        let options = StepOptions { dt, ..phase.step };
+        self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
         self.remove_periods(phase.periods);
         let positions = self.integrate();
         let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);

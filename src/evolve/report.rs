@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// Where a relaxation stands between two steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cursor {
     /// Phase, from 0; the number of phases when all are done.
     pub phase: usize,
@@ -13,6 +13,9 @@ pub struct Cursor {
     pub steps: usize,
     /// How often frames were drawn anew because rims would not resolve.
     pub restarts: usize,
+    /// Δt of the next step in mean face areas, where the phase lets it change; 0 at the start of a phase.
+    #[serde(default)]
+    pub dt: f64,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
 }

@@ -122,18 +122,22 @@ impl Simulation {
         let MetricAt { metric, curvature_error } = program.at(&mesh, time)?;
         let homology = Homology::new(&mesh, &metric);
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
+        let shape = initial_positions(&scene.start, &scene.folder, &mesh, [positions, places], &parameters, time)?;
         let bending = match &scene.bending {
             None => None,
-            Some(section) => {
-                Some(TargetBending::from_scene(section, &scene.folder, &mesh, [positions, places], &parameters)?)
-            }
+            Some(section) => Some(TargetBending::from_scene(
+                section,
+                &scene.folder,
+                &mesh,
+                [positions, places, shape.as_deref()],
+                &parameters,
+            )?),
         };
         let pins = Pins::from_scene(&scene.pins, &mesh, [positions, places], &parameters, time)?;
         let pinned = pins.at(time)?;
         let angles = bending.as_ref().map(|bending| bending.at(time));
         let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;
 
-        let shape = initial_positions(&scene.start, &scene.folder, &mesh, [positions, places], &parameters, time)?;
         let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
         let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
         let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);

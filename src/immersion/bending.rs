@@ -37,7 +37,7 @@ pub struct TargetBending {
 
 impl TargetBending {
     /// Validates what the scene says; `positions` are those of the mesh, `places` what edges are
-    /// selected by.
+    /// selected by, `start` what frames start from.
     ///
     /// # Errors
     /// [`BendingError`] with the key of the scene that is at fault.
@@ -45,18 +45,19 @@ impl TargetBending {
         section: &BendingSection,
         folder: &Path,
         mesh: &Mesh,
-        [positions, places]: [Option<&[DVec3]>; 2],
+        [positions, places, start]: [Option<&[DVec3]>; 3],
         parameters: &Arc<Parameters>,
     ) -> Result<TargetBending, AtKey<BendingError>> {
-        let of_mesh = || match positions {
+        let angles_of = |shape: Option<&[DVec3]>| match shape {
             Some(positions) => Ok(bending_angles(mesh, positions)),
             None => Err(AtKey { key: "bending.from".into(), error: BendingError::NoPositions }),
         };
         let angles = match &section.from {
             None => vec![0.0; mesh.edge_count()],
-            Some(BendingFrom::Mesh) => of_mesh()?,
+            Some(BendingFrom::Mesh) => angles_of(positions)?,
+            Some(BendingFrom::Start) => angles_of(start)?,
             // A reflection keeps the surface's orientation and turns every fold around.
-            Some(BendingFrom::Mirror) => of_mesh()?.into_iter().map(|angle| -angle).collect(),
+            Some(BendingFrom::Mirror) => angles_of(positions)?.into_iter().map(|angle| -angle).collect(),
             Some(BendingFrom::File(path)) => {
                 bending_angles(mesh, &read_positions(&folder.join(path), mesh).map_err(AtKey::of("bending.file"))?)
             }

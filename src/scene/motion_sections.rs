@@ -118,8 +118,11 @@ fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
 }
 
 pub(super) fn bending(table: &mut Table) -> BendingSection {
-    let doc = "Angles of the mesh's positions, or of their mirror image.";
-    let from = table.choice("from", doc, &[("mesh", BendingFrom::Mesh), ("mirror", BendingFrom::Mirror)]);
+    let from = table.choice(
+        "from",
+        "Angles of the mesh's positions, of their mirror image, or of what frames start from.",
+        &[("mesh", BendingFrom::Mesh), ("mirror", BendingFrom::Mirror), ("start", BendingFrom::Start)],
+    );
     let file =
         table.key::<String>("file", "Angles of another mesh with the same connectivity.").optional("bent.obj".into());
     table.only_one_of(&["from", "file"]);

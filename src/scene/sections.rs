@@ -48,6 +48,14 @@ fn phase(table: &mut Table) -> PhaseSection {
             .at_least(0.0)
             .or(default.epsilon),
         dt: table.key("dt", "Time step in units of the mean face area.").above(0.0).or(default.dt),
+        turn: table
+            .key(
+                "turn",
+                "Steps after the first are as long as it takes for frames to turn by this many degrees a step.",
+            )
+            .above(0.0)
+            .at_most(90.0)
+            .optional(1.0),
         feedback: table
             .key("feedback", "How far frames move toward those of the integrated surface after each step, Alg. 8.")
             .at_least(0.0)

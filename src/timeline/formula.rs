@@ -22,19 +22,21 @@ impl Formula {
     /// # Errors
     /// [`TimelineError::Formula`] if it is none, or uses another name.
     pub fn parse(text: &str, own: &[&str], parameters: &Arc<Parameters>) -> Result<Formula, TimelineError> {
+        // Long formulas stand on several lines.
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let known: Vec<&str> = own.iter().copied().chain(["t"]).chain(parameters.names()).collect();
         let fail = |reason: String| TimelineError::Formula {
-            formula: text.to_owned(),
+            formula: text.clone(),
             reason,
             known: format!("{} and the usual functions", known.join(", ")),
         };
-        let expression = FlatEx::<f64>::parse(text).map_err(|error| fail(error.to_string()))?;
+        let expression = FlatEx::<f64>::parse(&text).map_err(|error| fail(error.to_string()))?;
         let slot = |name: &String| {
             known.iter().position(|known| known == name).ok_or_else(|| fail(format!("there is no `{name}`")))
         };
         let slots = expression.var_names().iter().map(slot).collect::<Result<_, _>>()?;
         let expression = Box::new(expression);
-        Ok(Formula { text: text.to_owned(), expression, slots, own: own.len(), parameters: Arc::clone(parameters) })
+        Ok(Formula { text, expression, slots, own: own.len(), parameters: Arc::clone(parameters) })
     }
 
     /// The formula at a time, to be evaluated at many places.

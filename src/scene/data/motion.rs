@@ -103,6 +103,8 @@ pub enum BendingFrom {
     Mesh,
     /// `from = "mirror"`: their mirror image.
     Mirror,
+    /// `from = "start"`: the positions that frames start from.
+    Start,
     /// `file = "…"`: another mesh with the same connectivity.
     File(PathBuf),
 }

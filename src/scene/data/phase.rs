@@ -9,6 +9,9 @@ pub struct PhaseSection {
     pub epsilon: [f64; 4],
     /// Time step in units of the mean face area.
     pub dt: f64,
+    /// Left out, all steps have that length. Otherwise it is the first one's, and the others are chosen such that the
+    /// mean turn of a frame per step stays this many degrees.
+    pub turn: Option<f64>,
     /// How far the frame of a face of mean area is moved toward that of the integrated surface after each step,
     /// 0 to 1: `1 − exp(−Δt/(a A))` of Alg. 8.
     pub feedback: f64,
@@ -34,13 +37,14 @@ impl Default for PhaseSection {
             method: MethodName::Implicit,
             epsilon: [1.0, 1e-4, 1.0, 0.1],
             dt: 30.0,
+            turn: None,
             feedback: 1.0,
             periods: 1.0,
             crease: 1.0,
             accelerate: true,
-            tolerance: 0.01,
+            tolerance: 0.003,
             min_steps: 3,
-            max_steps: 200,
+            max_steps: 400,
             untangle_steps: 0,
         }
     }
