@@ -61,6 +61,12 @@ impl Phase {
             Some(target) => (dt * (target / turn).clamp(SLOWER, FASTER)).clamp(SHORTEST_STEP, LONGEST_STEP),
         }
     }
+
+    /// Whether the stage may end after a step of this length: one whose steps get longer as long as frames turn little
+    /// has to go on until they get no longer.
+    pub(super) fn may_settle(&self, dt: f64) -> bool {
+        self.turn_radians.is_none() || dt >= LONGEST_STEP
+    }
 }
 
 /// How much Δt may change from one step to the next.
@@ -68,7 +74,7 @@ const SLOWER: f64 = 0.5;
 const FASTER: f64 = 1.5;
 /// Δt in mean face areas when it is chosen by the turn. Longer steps gain nothing.
 const SHORTEST_STEP: f64 = 0.1;
-const LONGEST_STEP: f64 = 1e4;
+const LONGEST_STEP: f64 = 1e3;
 
 /// The stages of a scene, or the default ones. Frames that start from positions are near to where they belong; they
 /// need only the last stage, and the stiffness of the earlier ones would iron out what the positions say.

@@ -48,7 +48,7 @@ impl Simulation {
             if !turn.is_finite() {
                 return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
             }
-            let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians;
+            let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians && phase.may_settle(dt);
             let max_steps = self.patience(phase, &positions);
             let progress = Progress {
                 frame: self.frame + 1,

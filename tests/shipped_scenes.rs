@@ -1,0 +1,32 @@
+//! Every scene that ships can be read, sets up, and has a metric and places for its pins at all its times.
+
+use immerse::evolve::{SetupError, Simulation};
+use immerse::scene::{MeshSection, Scene};
+use rayon::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+#[test]
+fn all_scenes_are_valid() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    let entries = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry").path());
+    let scenes: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|ending| ending == "toml")).collect();
+    assert!(scenes.len() > 25, "only {} scenes", scenes.len());
+    scenes.par_iter().for_each(|path| {
+        let name = path.display();
+        let text = fs::read_to_string(path).expect("a text");
+        assert!(text.starts_with("# "), "{name} does not say what it shows");
+        let scene = Scene::read(path).unwrap_or_else(|mistakes| panic!("{mistakes}"));
+        match Simulation::from_scene(&scene) {
+            Ok(mut simulation) => simulation.check_all_times().unwrap_or_else(|error| panic!("{name}: {error}")),
+            // The user brings the mesh.
+            Err(SetupError::Mesh(error)) => {
+                let MeshSection::File(file) = &scene.mesh else { panic!("{name}: {error}") };
+                assert!(!scene.resolve(file).exists(), "{name}: {error}");
+                assert!(name.to_string().ends_with("bunny_eversion.toml"), "{name}: {error}");
+                eprintln!("SKIPPED: {name}, whose mesh {} is not here", file.display());
+            }
+            Err(error) => panic!("{name}: {error}"),
+        }
+    });
+}
