@@ -5,7 +5,7 @@ use std::path::Path;
 
 use glam::DVec3;
 use immerse::mesh::{Mesh, Surface, from_scene};
-use immerse::scene::{Body, Grid, MeshSection, Operation, PolyhedronSource, Shape, Solid};
+use immerse::scene::{Body, Grid, MeshSection, Operation, PolyhedronSource, Scene, Shape, Solid};
 
 fn make(shape: Shape) -> Surface {
     from_scene(&MeshSection::Shape(shape), Path::new("")).unwrap()
@@ -254,6 +254,15 @@ fn genus_two_polyhedron() {
         assert!((volume(&surface) - 13.0).abs() < 1e-10);
         assert!((area(&surface) - 50.0).abs() < 1e-10);
     }
+}
+
+#[test]
+fn each_duck_has_the_tail_of_the_other() {
+    let scene = Scene::read("scenes/double_duck.toml".as_ref()).expect("a scene");
+    let surface = from_scene(&scene.mesh, &scene.folder).expect("ducks");
+    assert_topology(&surface.mesh, -2, 2, 0);
+    let faces = surface.mesh.face_count() as f64;
+    assert!((faces / 11608.0 - 1.0).abs() < 0.03, "{faces} faces, not about as many as Fig. 18");
 }
 
 #[test]
