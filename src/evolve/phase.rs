@@ -91,8 +91,8 @@ pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom) -> Vec<Ph
 /// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper: feedback comes in
 /// gradually, since a surface with periods collapses under full feedback while its frames are still random; periods
 /// are taken out on their own from the start; ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer
-/// does it (earlier they would only keep tangles from resolving), and from there on steps are accelerated. The
-/// second stage is the one that resolves rims, and gets the time it needs for that. The last two take shorter steps:
+/// does it (earlier they would only keep tangles from resolving), and the last two stages are accelerated. The
+/// second stage is the one that resolves rims, and gets the time it needs for that. The last three take shorter steps:
 /// under full feedback a surface comes to rest between one step of bending and one projection, so what is left of the
 /// length error is in proportion to Δt.
 pub fn default_phases() -> Vec<Phase> {
@@ -114,10 +114,16 @@ pub fn default_phases() -> Vec<Phase> {
             tolerance: 0.3,
             max_steps: 50,
             untangle_steps: 350,
-            ..shaping.clone()
+            ..shaping
         },
-        PhaseSection { epsilon: [1.0, 1e-2, 1.0, 0.1], tolerance: 0.1, max_steps: 100, ..shaping },
-        PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], tolerance: 0.02, max_steps: 100, ..settling.clone() },
+        PhaseSection {
+            epsilon: [1.0, 1e-2, 1.0, 0.1],
+            accelerate: false,
+            tolerance: 0.03,
+            max_steps: 100,
+            ..settling.clone()
+        },
+        PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], tolerance: 0.01, max_steps: 100, ..settling.clone() },
         PhaseSection { epsilon: [1.0, 1e-4, 1.0, 0.1], ..settling },
     ]
     .iter()

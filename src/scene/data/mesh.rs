@@ -41,7 +41,7 @@ pub enum Shape {
     /// `radius` (3), about `faces` triangles (5000).
     HyperbolicDisk { curvature: f64, radius: f64, faces: usize },
     /// Polyhedron with every edge divided into `subdivisions` (8) parts: a `name` ("tetrahedron",
-    /// "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two") or `vertices` and `polygons`.
+    /// "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two", "genus_two_saddle") or `vertices` and `polygons`.
     Polyhedron { source: PolyhedronSource, subdivisions: usize },
     /// Isosurface of a tree of solids, remeshed to `edge_length` (0.05).
     Implicit { solid: Solid, edge_length: f64 },

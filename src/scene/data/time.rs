@@ -77,7 +77,7 @@ impl Default for ClockSection {
             end: 1.0,
             looping: false,
             steps_per_frame: None,
-            tolerance: 0.02,
+            tolerance: 0.005,
             max_steps: 100,
             max_strain: 0.05,
         }
