@@ -33,7 +33,7 @@ fn film(folder: &Path, checks: ChecksSection) -> Cache {
             l2_length_error: 0.0123,
             max_length_error: 0.5,
             rims: 3 * frame,
-            cursor: immerse::evolve::Cursor { phase: 5, step: 0, steps: 40, restarts: 0, settled: true },
+            cursor: immerse::evolve::Cursor { phase: 5, steps: 40, settled: true, ..Default::default() },
             converged: true,
             ..Default::default()
         };

@@ -6,6 +6,8 @@
 pub enum TimelineError {
     #[error("there are {times} times for {values} values; give one value per time, and at least one")]
     Count { times: usize, values: usize },
+    #[error("a keyframe is at time {time}; every time must be finite")]
+    NotFinite { time: f64 },
     #[error("keyframes are out of order: {later} comes after {earlier}; sort the times, each greater than the last")]
     Order { earlier: f64, later: f64 },
     #[error("one keyframe cannot repeat; give at least two times")]

@@ -1,7 +1,7 @@
 //! Expressions in variables of their place, time and the parameters of the scene.
 
 use super::{Parameters, TimelineError};
-use exmex::{Express, FlatEx};
+use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral};
 use std::sync::Arc;
 
 /// A formula that is known to use nothing but its own variables, `t` and parameters.
@@ -9,7 +9,7 @@ use std::sync::Arc;
 pub struct Formula {
     text: String,
     /// Boxed, for it is large.
-    expression: Box<FlatEx<f64>>,
+    expression: Box<FlatEx<f64, FloatOpsFactory<f64>, Decimal>>,
     /// Per variable of the expression: which of own variables, then `t`, then parameters it is.
     slots: Vec<usize>,
     own: usize,
@@ -30,7 +30,7 @@ impl Formula {
             reason,
             known: format!("{} and the usual functions", known.join(", ")),
         };
-        let expression = FlatEx::<f64>::parse(&text).map_err(|error| fail(error.to_string()))?;
+        let expression = FlatEx::parse(&with_loose_signs(&text)).map_err(|error| fail(error.to_string()))?;
         let slot = |name: &String| {
             known.iter().position(|known| known == name).ok_or_else(|| fail(format!("there is no `{name}`")))
         };
@@ -60,6 +60,47 @@ impl Formula {
     /// As it was written.
     pub fn text(&self) -> &str {
         &self.text
+    }
+}
+
+/// The parser binds signs closest of all. They are to bind like products, so that `-x^2` is `-(x^2)`; only behind `/`
+/// and `^` they stay.
+fn with_loose_signs(text: &str) -> String {
+    let mut loose = String::with_capacity(text.len());
+    let mut before = '(';
+    for c in text.chars() {
+        loose.push(c);
+        if c == '-' && matches!(before, '(' | ',' | '+' | '-' | '*') {
+            loose.push_str("1*");
+        }
+        if c != ' ' {
+            before = c;
+        }
+    }
+    loose
+}
+
+/// Numbers as in TOML: `2`, `0.5`, `1e-3`.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+struct Decimal;
+
+impl MatchLiteral for Decimal {
+    fn is_literal(text: &str) -> Option<&str> {
+        let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+        let whole = digits(0);
+        let fraction = if text[whole..].starts_with('.') { 1 + digits(whole + 1) } else { 0 };
+        if whole == 0 && fraction < 2 {
+            return None;
+        }
+        let mut end = whole + fraction;
+        if text[end..].starts_with(['e', 'E']) {
+            let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
+            match digits(end + 1 + sign) {
+                0 => {}
+                exponent => end += 1 + sign + exponent,
+            }
+        }
+        Some(&text[..end])
     }
 }
 

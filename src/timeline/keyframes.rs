@@ -17,7 +17,8 @@ impl<T> Keyframes<T> {
     /// One value per time.
     ///
     /// # Errors
-    /// [`TimelineError::Count`], [`TimelineError::Order`], [`TimelineError::NothingToRepeat`].
+    /// [`TimelineError::Count`], [`TimelineError::NotFinite`], [`TimelineError::Order`],
+    /// [`TimelineError::NothingToRepeat`].
     pub fn new(
         times: Vec<f64>,
         values: Vec<T>,
@@ -26,6 +27,9 @@ impl<T> Keyframes<T> {
     ) -> Result<Keyframes<T>, TimelineError> {
         if times.is_empty() || times.len() != values.len() {
             return Err(TimelineError::Count { times: times.len(), values: values.len() });
+        }
+        if let Some(&time) = times.iter().find(|time| !time.is_finite()) {
+            return Err(TimelineError::NotFinite { time });
         }
         if let Some([earlier, later]) = times.array_windows().find(|[earlier, later]| later <= earlier) {
             return Err(TimelineError::Order { earlier: *earlier, later: *later });
@@ -43,6 +47,8 @@ impl<T> Keyframes<T> {
         let time = match self.extrapolation {
             Extrapolation::Hold => time.clamp(first, last),
             Extrapolation::Linear => time,
+            // Exact where there is nothing to repeat.
+            Extrapolation::Repeat if (first..last).contains(&time) => time,
             Extrapolation::Repeat => first + (time - first).rem_euclid(last - first),
         };
         if self.times.len() == 1 {

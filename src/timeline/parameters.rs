@@ -66,9 +66,8 @@ impl Parameters {
             let fail = |error| (name.clone(), error);
             let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
                 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-            // What does not parse as a variable of its own is a function or an operator.
-            let probe = Parameters { named: vec![(name.clone(), Number::Constant(0.0))] };
-            let is_free = Formula::parse(name, &[], &Arc::new(probe)).is_ok();
+            // What does not parse as a variable of its own is a function, an operator or a constant.
+            let is_free = Formula::parse(name, &[name], &Arc::default()).is_ok_and(|formula| formula.uses(0));
             if !is_name || !is_free || RESERVED.contains(&name.as_str()) {
                 return Err(fail(TimelineError::Name { name: name.clone() }));
             }
@@ -96,5 +95,5 @@ impl Parameters {
     }
 }
 
-/// Variables of formulas in one place or another, and the constants of the expression language.
-const RESERVED: [&str; 12] = ["t", "x", "y", "z", "dx", "dy", "dz", "length", "e", "E", "PI", "pi"];
+/// Variables of formulas in one place or another, and what looks like a constant.
+const RESERVED: [&str; 9] = ["t", "x", "y", "z", "dx", "dy", "dz", "length", "pi"];
