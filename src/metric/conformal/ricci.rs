@@ -35,7 +35,10 @@ const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
 #[derive(Clone, Debug)]
 pub struct RicciFlow {
     triangulation: Triangulation,
+    /// What the flow aims at on its way,
     goal: Goal,
+    /// and what was asked for.
+    asked: Goal,
     limit: Conformal,
     initial_area: f64,
     /// Where the last step ended.
@@ -72,13 +75,14 @@ impl RicciFlow {
     pub fn new(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<RicciFlow, MetricError> {
         let limit = uniformize(mesh, edge_lengths, target)?;
         let metric = Metric::new(mesh, edge_lengths.to_vec())?;
-        let mut goal = Goal::new(target, mesh, &metric)?;
+        let asked = Goal::new(target, mesh, &metric)?;
+        let mut goal = asked.clone();
         let end = Triangulation::new(mesh, &limit.edge_lengths);
         goal.settle_positive(&end, &end.shape(&vec![0.0; mesh.vertex_count()])?);
         let triangulation = Triangulation::new(mesh, edge_lengths);
         let state = state(&triangulation, &goal, 0.0, vec![0.0; mesh.vertex_count()])?;
         let initial_area = metric.total_area();
-        Ok(RicciFlow { triangulation, goal, limit, initial_area, state, last: None, step: FIRST_STEP })
+        Ok(RicciFlow { triangulation, goal, asked, limit, initial_area, state, last: None, step: FIRST_STEP })
     }
 
     /// The metric that the flow tends to, with curvature as exact as that of [`uniformize`].
@@ -132,7 +136,7 @@ impl RicciFlow {
     pub fn curvature_error(&self, mesh: &Mesh, edge_lengths: &[f64]) -> Result<f64, MetricError> {
         let triangulation = Triangulation::new(mesh, edge_lengths);
         let shape = triangulation.shape(&vec![0.0; mesh.vertex_count()])?;
-        let target = self.goal.curvature(&triangulation, &shape);
+        let target = self.asked.curvature(&triangulation, &shape);
         Ok(shape.curvature.iter().zip(target).map(|(k, target)| (k - target).abs()).fold(0.0, f64::max))
     }
 
