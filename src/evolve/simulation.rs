@@ -49,7 +49,7 @@ pub struct Simulation {
     pub(super) fewest_rims: Option<(usize, Vec<DQuat>)>,
     /// Positions of the mesh, where the metric at the start is theirs.
     pub(super) original: Option<Vec<DVec3>>,
-    start: StartFrom,
+    pub(super) start: StartFrom,
     /// Positions that frames start from.
     pub(super) shape: Option<Vec<DVec3>>,
     /// Of the last frame.

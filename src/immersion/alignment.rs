@@ -75,6 +75,17 @@ impl RigidMotion {
         RigidMotion { rotation, translation: -(rotation * center) }
     }
 
+    /// This motion, turned toward the goal by at most an angle. The point `pivot`, before the motion, goes where it went.
+    pub fn toward(&self, goal: &RigidMotion, largest_turn_radians: f64, pivot: DVec3) -> RigidMotion {
+        let turn = upward(goal.rotation * self.rotation.conjugate());
+        let (sine, axis) = (turn.xyz().length(), turn.xyz().normalize_or_zero());
+        let half = libm::atan2(sine, turn.w).min(0.5 * largest_turn_radians);
+        let (sine, cosine) = libm::sincos(half);
+        let turn = DQuat::from_vec4((axis * sine).extend(cosine));
+        let rotation = upward(turn * self.rotation);
+        RigidMotion { rotation, translation: self.point(pivot) - rotation * pivot }
+    }
+
     /// Where a point goes.
     pub fn point(&self, point: DVec3) -> DVec3 {
         self.rotation * point + self.translation
