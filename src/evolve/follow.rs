@@ -33,10 +33,11 @@ impl Simulation {
     /// Once around a loop, so that its first frame is what the last one leads to.
     pub(super) fn run_a_lap(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
         let clock = self.clock;
-        for time in clock.times().skip(1).chain([clock.time(1)]) {
+        // The way to the end of the loop leads on, not back through it.
+        for time in clock.times().skip(1).chain([clock.end()]) {
             self.follow(time, settling, observer)?;
         }
-        Ok(())
+        self.move_to(clock.time(1))
     }
 
     /// How many parts the way to a time is to be cut into.
