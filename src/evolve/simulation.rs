@@ -186,6 +186,7 @@ impl Simulation {
         let time = self.clock.time(self.frame + 1);
         match (self.pace, self.frame) {
             (Pace::EachClass, made) => {
+                self.move_to(time)?;
                 self.begin_class(made)?;
                 self.run_all_phases(observer)?;
             }
