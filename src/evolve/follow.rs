@@ -70,7 +70,7 @@ impl Simulation {
 
     /// What follows from metric, spin structure, bending and pins at the present time.
     pub(super) fn discretize(&mut self) -> Result<(), EvolveError> {
-        let angles = self.bending.as_ref().map(|bending| bending.at(self.time));
+        let angles = self.bending.as_ref().map(|bending| bending.at(self.time)).transpose()?;
         self.places = self.pins.at(self.time)?;
         let Simulation { mesh, metric, spin, homology, pins, .. } = self;
         self.parts = Discretization::new(mesh, metric, spin, homology, angles.as_deref(), pins.vertices())
@@ -96,10 +96,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether the scene gives a metric and places for pins at the times of all frames, found without simulating.
+    /// Whether the scene gives a metric, bending angles and places for pins at the times of all frames, found without
+    /// simulating.
     ///
     /// # Errors
-    /// [`EvolveError::Metric`], [`EvolveError::Pin`] at the first time at which it does not.
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which it does not.
     pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
         let clock = self.clock;
         for time in clock.times() {
@@ -107,6 +108,7 @@ impl Simulation {
                 self.metric_at(time)?;
             }
             self.pins.at(time)?;
+            self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         }
         Ok(())
     }

@@ -135,7 +135,7 @@ impl Simulation {
         };
         let pins = Pins::from_scene(&scene.pins, &mesh, [positions, places], &parameters, time)?;
         let pinned = pins.at(time)?;
-        let angles = bending.as_ref().map(|bending| bending.at(time));
+        let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;
 
         let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
