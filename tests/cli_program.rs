@@ -8,7 +8,7 @@ use glam::{DQuat, DVec3};
 use immerse::cache::{Cache, Film, FrameReport, FrameState};
 use immerse::cli::checks_of;
 use immerse::mesh::Mesh;
-use immerse::scene::ChecksSection;
+use immerse::scene::{ChecksSection, FilmChecksSection};
 
 fn immerse(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
@@ -253,4 +253,111 @@ fn checks_compare_the_last_frame_with_the_scene() {
     assert_eq!(holds(Some(&FrameReport { l2_length_error: f64::NAN, ..good })), [false, true, true, true]);
     assert_eq!(holds(None), [false; 4]);
     assert_eq!(checks_of(&ChecksSection::default(), &[]), []);
+}
+
+/// Every check alone, on films that hold to it just so and films that do not.
+#[test]
+fn every_check_holds_up_to_its_bound() {
+    let none = ChecksSection::default;
+    let film = |film| ChecksSection { film, ..none() };
+    let one = |change: fn(&mut FrameReport, f64)| {
+        move |value| {
+            let mut report = FrameReport::default();
+            change(&mut report, value);
+            report
+        }
+    };
+    type Make = Box<dyn Fn(f64) -> FrameReport>;
+    let of_last: [(ChecksSection, &str, Make); 4] = [
+        (
+            ChecksSection { max_l2_length_error: Some(0.5), ..none() },
+            "max_l2_length_error",
+            Box::new(one(|report, x| report.l2_length_error = x)),
+        ),
+        (
+            ChecksSection { max_curvature_error: Some(0.5), ..none() },
+            "max_curvature_error",
+            Box::new(one(|report, x| report.curvature_error = Some(x))),
+        ),
+        (
+            ChecksSection { max_mean_distance: Some(0.5), ..none() },
+            "max_mean_distance",
+            Box::new(one(|report, x| report.mean_distance = Some(x))),
+        ),
+        (
+            ChecksSection { max_pin_distance: Some(0.5), ..none() },
+            "max_pin_distance",
+            Box::new(one(|report, x| report.pin_distance = Some(x))),
+        ),
+    ];
+    let holds = |checks: &ChecksSection, name: &str, film: &[FrameReport]| {
+        let found = checks_of(checks, film);
+        assert_eq!((found.len(), found[0].name), (1, name));
+        assert!(film.len() > 0 || found[0].value.is_null());
+        found[0].holds
+    };
+    for (checks, name, report) in of_last {
+        let [good, bad, nan] = [0.5, 0.5000001, f64::NAN].map(report);
+        let film = |last: &FrameReport| [bad.clone(), last.clone()];
+        assert!(holds(&checks, name, &film(&good)), "{name} is of the last frame");
+        assert!(!holds(&checks, name, &film(&bad)) && !holds(&checks, name, &film(&nan)), "{name}");
+        assert!(!holds(&checks, name, &[]), "{name} of nothing");
+        // Nothing of the kind was measured.
+        assert_eq!(holds(&checks, name, &[FrameReport::default()]), name == "max_l2_length_error");
+    }
+
+    let with_error = |errors: &[f64]| -> Vec<FrameReport> {
+        errors.iter().map(|&x| FrameReport { l2_length_error: x, ..Default::default() }).collect()
+    };
+    let max = film(FilmChecksSection { max_l2_length_error: Some(0.5), ..Default::default() });
+    let median = film(FilmChecksSection { median_l2_length_error: Some(0.5), ..Default::default() });
+    for (errors, max_holds, median_holds) in [
+        (&[0.5, 0.1, 0.2][..], true, true),
+        (&[0.6, 0.1, 0.2], false, true),
+        (&[0.6, 0.5, 0.2], false, true),
+        (&[0.6, 0.7, 0.2], false, false),
+        (&[f64::NAN, 0.1, 0.2], false, true),
+        (&[0.1, f64::NAN, 0.2], false, true),
+        (&[0.1, 0.2, f64::NAN], false, true),
+        (&[f64::NAN, f64::NAN, 0.2], false, false),
+        (&[], false, false),
+    ] {
+        let film = with_error(errors);
+        assert_eq!(holds(&max, "film.max_l2_length_error", &film), max_holds, "{errors:?}");
+        assert_eq!(holds(&median, "film.median_l2_length_error", &film), median_holds, "{errors:?}");
+    }
+
+    let rims = film(FilmChecksSection { max_rims: Some(2), ..Default::default() });
+    for (counts, expected) in [(&[0, 2, 1][..], true), (&[3, 0, 0], false), (&[0, 3, 0], false), (&[], false)] {
+        let film: Vec<_> = counts.iter().map(|&rims| FrameReport { rims, ..Default::default() }).collect();
+        assert_eq!(holds(&rims, "film.max_rims", &film), expected, "{counts:?}");
+    }
+
+    // Largest over median of the moves; what the first frame says does not count.
+    let jump = film(FilmChecksSection { max_jump: Some(4.0), ..Default::default() });
+    for (moves, expected) in [
+        (&[9.0, 1.0, 4.0, 1.0][..], true),
+        (&[0.0, 1.0, 4.1, 1.0], false),
+        (&[0.0, 0.0, 0.0], true),
+        (&[0.0, 0.0, 0.0, 1.0], false),
+        (&[0.0, f64::NAN, 1.0, 1.0], false),
+        (&[0.0, 1.0, f64::NAN, 1.0], false),
+        (&[0.0, 1.0, 1.0, f64::NAN], false),
+        (&[0.0], false),
+        (&[], false),
+    ] {
+        let film: Vec<_> = moves.iter().map(|&x| FrameReport { max_move: x, ..Default::default() }).collect();
+        assert_eq!(holds(&jump, "film.max_jump", &film), expected, "{moves:?}");
+    }
+
+    let class = ChecksSection { class: Some("01".into()), ..none() };
+    for (classes, expected) in [(&["01", "01"][..], true), (&["11", "01"], false), (&["01", "11"], false), (&[], false)]
+    {
+        let film: Vec<_> =
+            classes.iter().map(|&c| FrameReport { spin_class: c.into(), ..Default::default() }).collect();
+        assert_eq!(holds(&class, "class", &film), expected, "{classes:?}");
+        if !expected && !film.is_empty() {
+            assert_eq!(checks_of(&class, &film)[0].value, "11", "the one that is another is named");
+        }
+    }
 }

@@ -93,11 +93,11 @@ fn wrong_lengths() {
 
 #[test]
 fn impossible_values() {
-    one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 100.0");
-    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 100.0");
+    one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 30.0");
+    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 30.0");
     one("mesh = { file = 'é.obj', ^fiel = 1 }", "no `fiel`", "did you mean `file`?");
-    one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 100.0");
-    one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 100.0");
+    one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 30.0");
+    one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 30.0");
     one("[[phase]]\nepsilon = [1, ^-inf, 0, 0]", "`epsilon[1]` is -inf, it must be finite", "epsilon = [");
     one("[[phase]]\nepsilon = [1, ^-1, 0, 0]", "`epsilon[1]` is -1, it must be a number at least 0", "epsilon = [");
     one("[[phase]]\nepsilon = ^[0, 0, 0, 0]", "all weights are 0", "make the first one 1");
@@ -150,6 +150,79 @@ fn missing_and_contradictory() {
         "a capsule needs a `radius` or two `radii`",
         "radius = 0.2",
     );
+}
+
+#[test]
+fn keyframes() {
+    let out_of_order = "keyframes are out of order: 0 comes after 1";
+    let sort = "sort them, each time greater than the last";
+    let bending = |value: &str| format!("[bending]\nfrom = 'mesh'\namount = {value}");
+    one(&bending("{ times = ^[1, 0], values = [0, 1] }"), out_of_order, sort);
+    one(&bending("{ times = ^[0, 0], values = [0, 1] }"), "0 comes after 0", sort);
+    one(&bending("{ times = ^[], values = [] }"), "`times` is empty", "at least one time");
+    one(&bending("{ times = [0, 1], values = ^[0, 1, 2] }"), "there are 3 entries for 2 times", "one per time");
+    one(&bending("^{ times = [0, 1] }"), "has no `values`", "values = [0.0,1.0]");
+    one(&bending("^{ values = [0, 1] }"), "has no `times`", "times = [0.0,1.0]");
+    one(&bending("{ times = [0, 1], values = [0, ^'a'] }"), "`values[1]` is the string", "values = ");
+    one(&bending("{ times = [0, 1], values = [0, 1], ease = ^'smoth' }"), "no ease `smoth`", "did you mean `smooth`?");
+    one(
+        &bending("{ times = [0, 1], values = [0, 1], ^easing = 1 }"),
+        "no `easing`",
+        "the keys are `times`, `ease`, `values`",
+    );
+    one(&bending("^true"), "`amount` is true, it must be a number, a formula in quotes or", "amount = 1");
+    one(&bending("^[0, 1]"), "`amount` is a list, it must be a number, a formula", "amount = 1");
+    one(&bending("^nan"), "`amount` is nan, it must be finite", "amount = 1");
+    let motion = |text: &str| format!("[[pin]]\nvertices = [0]\n[pin.motion]\n{text}");
+    one(&motion("times = ^[1, 0]"), out_of_order, sort);
+    one(&motion("times = [0, 1]\ntranslations = ^[[0, 0, 0]]"), "1 entries for 2 times", "one per time");
+    one(&motion("times = [0, 1]\nrotations = ^[[0, 0, 0]]"), "1 entries for 2 times", "one per time");
+    one(&motion("times = [0]\nrotations = [^[0, 0]]"), "`rotations[0]` has 2 entries, it must have 3", "");
+    let keys = "[[metric.key]]\ntime = 1\n[[metric.key]]\ntime = 1";
+    one(
+        &format!("metric.key = ^[{{ time = 1 }}, {{ time = 0 }}]"),
+        "keys are out of order: time 0 comes after 1",
+        sort,
+    );
+    assert_eq!(mistakes(keys).len(), 1);
+    one("[parameters]\nk = { times = ^[1, 0], values = [0, 1] }", out_of_order, sort);
+    one("[parameters]\nk = ^true", "`k` is true, it must be a number, a formula in quotes", "k = 1");
+    one("parameters = ^3", "`parameters` is 3, it must be a table", "[parameters]");
+}
+
+#[test]
+fn what_changes_with_time() {
+    one("[clock]\nstart = 1\nend = ^1", "the clock ends at 1, not after its start at 1", "`end` greater than `start`");
+    one("[clock]\nmax_strain = ^0", "a number greater than 0", "max_strain = 0.05");
+    one("[clock]\nloop = ^1", "`loop` is 1, it must be true or false", "loop = false");
+    one("[[metric.change]]\nkind = ^'richi'", "there is no kind `richi`", "did you mean `ricci`?");
+    one(
+        "[[metric.change]]\nkind = 'ricci'\namount = ^true",
+        "`amount` is true, it must be a number, a formula",
+        "amount",
+    );
+    let both = "[[metric.change]]\nkind = 'ricci'\ncurvature = 1\n[[metric.change.^region]]\nvertices = [0]\ntotal = 1";
+    one(both, "both `curvature` and `region`", "remove one of them");
+    let lengths = "[metric]\nlength = 1\nkey = ^[{ time = 0 }]";
+    one(lengths, "[metric] has both lengths and [[metric.key]]", "put the lengths into a [[metric.key]]");
+    one("[metric]\nease = ^'in'", "`ease` is about [[metric.key]], and there is none", "remove it, or add keys");
+    one("[metric]\ninterpolation = ^'squared'", "`interpolation` is about [[metric.key]]", "remove it, or add keys");
+    one(
+        "[start]\nformula = ^['x', 'y', 'z']",
+        "`formula` moves positions, and these frames come from none",
+        "add from",
+    );
+    one("[[pin]]\nvertices = [0]\nformula = ^['x', 'y']", "`formula` has 2 entries, it must have 3", "");
+    one("[[pin]]\nvertices = [0]\n^ball = [0, 0, 0, 1]", "both `vertices` and `ball`", "remove one of them");
+    one(
+        "[[pin]]\nball = [0, 0, 0, 1]\npositions = ^[[0, 0, 0]]",
+        "`positions` are in order of a list",
+        "list `vertices`",
+    );
+    one("[[bending.region]]\nedges = [[0, 1]]\n^box = [[0, 0, 0], [1, 1, 1]]\nangle = 1", "both `edges` and `box`", "");
+    one("[[phase]]\nturn = ^0", "a number greater than 0 and at most 90", "turn = 1.0");
+    one("[checks.film]\nmax_jump = ^0", "a number greater than 0", "max_jump = 10.0");
+    one("[checks]\n^film_max_jump = 3", "there is no `film_max_jump` in [checks]", "");
 }
 
 #[test]

@@ -25,7 +25,6 @@ pub fn checks_of(checks: &ChecksSection, film: &[FrameReport]) -> Vec<Check> {
     let film_checks = &checks.film;
     let at_most = |x: &f64, max: &f64| x <= max;
     let no_more = |x: &usize, max: &usize| x <= max;
-    let largest = |value: fn(&FrameReport) -> f64| film.iter().map(value).reduce(|a, b| if b <= a { a } else { b });
     let list = [
         check("max_l2_length_error", checks.max_l2_length_error, last.map(|r| r.l2_length_error), at_most),
         check("max_rims", checks.max_rims, last.map(|r| r.rims), no_more),
@@ -34,7 +33,12 @@ pub fn checks_of(checks: &ChecksSection, film: &[FrameReport]) -> Vec<Check> {
         check("max_curvature_error", checks.max_curvature_error, last.and_then(|r| r.curvature_error), at_most),
         check("max_mean_distance", checks.max_mean_distance, last.and_then(|r| r.mean_distance), at_most),
         check("max_pin_distance", checks.max_pin_distance, last.and_then(|r| r.pin_distance), at_most),
-        check("film.max_l2_length_error", film_checks.max_l2_length_error, largest(|r| r.l2_length_error), at_most),
+        check(
+            "film.max_l2_length_error",
+            film_checks.max_l2_length_error,
+            largest(film, |r| r.l2_length_error),
+            at_most,
+        ),
         check(
             "film.median_l2_length_error",
             film_checks.median_l2_length_error,
@@ -69,8 +73,13 @@ fn class_of_all(film: &[FrameReport], asked: Option<&str>) -> Option<String> {
 fn jump(film: &[FrameReport]) -> Option<f64> {
     let moving = film.get(1..)?;
     let median = median(moving, |report| report.max_move)?;
-    let largest = moving.iter().map(|report| report.max_move).fold(0.0, f64::max);
+    let largest = largest(moving, |report| report.max_move)?;
     if largest == 0.0 { Some(0.0) } else { Some(largest / median) }
+}
+
+/// What is not a number is larger than all.
+fn largest(film: &[FrameReport], value: fn(&FrameReport) -> f64) -> Option<f64> {
+    film.iter().map(value).reduce(|a, b| if b <= a || a.is_nan() { a } else { b })
 }
 
 fn median(film: &[FrameReport], value: fn(&FrameReport) -> f64) -> Option<f64> {

@@ -96,6 +96,9 @@ pub enum EvolveError {
     /// The scene gives no places for its pins.
     #[error("{}", .0.error)]
     Pin(#[from] AtKey<PinError>),
+    /// The scene gives no target bending angles.
+    #[error("{}", .0.error)]
+    Bending(#[from] AtKey<BendingError>),
     /// The Poisson problem.
     #[error("at time {time}: {error}; even out the edge lengths, the weights differ by too many orders of magnitude")]
     Poisson {
@@ -136,6 +139,7 @@ impl EvolveError {
         match self {
             EvolveError::Metric { error, .. } => Some(&error.key),
             EvolveError::Pin(error) => Some(&error.key),
+            EvolveError::Bending(error) => Some(&error.key),
             _ => None,
         }
     }

@@ -33,10 +33,11 @@ impl Simulation {
     /// Once around a loop, so that its first frame is what the last one leads to.
     pub(super) fn run_a_lap(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
         let clock = self.clock;
-        for time in clock.times().skip(1).chain([clock.time(1)]) {
+        // The way to the end of the loop leads on, not back through it.
+        for time in clock.times().skip(1).chain([clock.end()]) {
             self.follow(time, settling, observer)?;
         }
-        Ok(())
+        self.move_to(clock.time(1))
     }
 
     /// How many parts the way to a time is to be cut into.
@@ -69,7 +70,7 @@ impl Simulation {
 
     /// What follows from metric, spin structure, bending and pins at the present time.
     pub(super) fn discretize(&mut self) -> Result<(), EvolveError> {
-        let angles = self.bending.as_ref().map(|bending| bending.at(self.time));
+        let angles = self.bending.as_ref().map(|bending| bending.at(self.time)).transpose()?;
         self.places = self.pins.at(self.time)?;
         let Simulation { mesh, metric, spin, homology, pins, .. } = self;
         self.parts = Discretization::new(mesh, metric, spin, homology, angles.as_deref(), pins.vertices())
@@ -95,10 +96,11 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether the scene gives a metric and places for pins at the times of all frames, found without simulating.
+    /// Whether the scene gives a metric, bending angles and places for pins at the times of all frames, found without
+    /// simulating.
     ///
     /// # Errors
-    /// [`EvolveError::Metric`], [`EvolveError::Pin`] at the first time at which it does not.
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which it does not.
     pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
         let clock = self.clock;
         for time in clock.times() {
@@ -106,6 +108,7 @@ impl Simulation {
                 self.metric_at(time)?;
             }
             self.pins.at(time)?;
+            self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         }
         Ok(())
     }

@@ -135,7 +135,7 @@ impl Simulation {
         };
         let pins = Pins::from_scene(&scene.pins, &mesh, [positions, places], &parameters, time)?;
         let pinned = pins.at(time)?;
-        let angles = bending.as_ref().map(|bending| bending.at(time));
+        let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;
 
         let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
@@ -186,6 +186,7 @@ impl Simulation {
         let time = self.clock.time(self.frame + 1);
         match (self.pace, self.frame) {
             (Pace::EachClass, made) => {
+                self.move_to(time)?;
                 self.begin_class(made)?;
                 self.run_all_phases(observer)?;
             }

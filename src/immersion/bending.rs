@@ -23,6 +23,14 @@ pub enum BendingError {
     /// A region.
     #[error(transparent)]
     Selection(#[from] SelectionError),
+    /// A formula without a value.
+    #[error("it is {value} at time {time}; correct the formula, it must be finite there")]
+    NotFinite {
+        /// What it is.
+        value: f64,
+        /// When.
+        time: f64,
+    },
 }
 
 /// Target bending angles at all times.
@@ -79,13 +87,20 @@ impl TargetBending {
     }
 
     /// The targets at a time in radians, |E|; those of boundary edges mean nothing.
-    pub fn at(&self, time: f64) -> Vec<f64> {
-        let amount = self.amount.at(time);
+    ///
+    /// # Errors
+    /// [`BendingError::NotFinite`] with the key of the amount or angle.
+    pub fn at(&self, time: f64) -> Result<Vec<f64>, AtKey<BendingError>> {
+        let finite = |number: &Number, key: &str| match number.at(time) {
+            value if value.is_finite() => Ok(value),
+            value => Err(AtKey { key: key.to_owned(), error: BendingError::NotFinite { value, time } }),
+        };
+        let amount = finite(&self.amount, "bending.amount")?;
         let mut angles: Vec<f64> = self.angles.iter().map(|angle| amount * angle).collect();
-        for (edges, angle) in &self.regions {
-            let angle = angle.at(time).to_radians();
+        for (k, (edges, angle)) in self.regions.iter().enumerate() {
+            let angle = finite(angle, &format!("bending.region[{k}].angle"))?.to_radians();
             edges.iter().for_each(|e| angles[e.index()] = angle);
         }
-        angles
+        Ok(angles)
     }
 }

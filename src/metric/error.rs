@@ -33,7 +33,10 @@ pub enum MetricError {
          which a vertex without any angle would have"
     )]
     TargetCurvature { vertex: usize, value: f64, limit: f64 },
-    #[error("region {region} of the target curvature: {reason}; give every region some interior vertices of its own")]
+    #[error(
+        "region {region} of the target curvature: {reason}; give every region interior vertices of its own, and less \
+         than 360 degrees for each"
+    )]
     TargetRegion { region: usize, reason: String },
     #[error("the target curvature per area is {density}; it must be finite")]
     TargetDensity { density: f64 },
@@ -58,7 +61,7 @@ pub enum MetricError {
     NotStraight { edge: usize, vertices: [u32; 2] },
     #[error("no Delaunay triangulation was reached in {flips} edge flips; the lengths are too far apart in size")]
     TooManyFlips { flips: usize },
-    #[error("the flow is defined at finite times from 0 on, not at {time}")]
+    #[error("the flow is defined at finite times from 0 on, not at {time}; correct it, or the amount that says it")]
     FlowTime { time: f64 },
     #[error(
         "the flow ends at time {time}, where face {face} with vertices {vertices:?} degenerates; \

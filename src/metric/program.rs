@@ -69,13 +69,14 @@ impl MetricProgram {
     /// [`MetricError`] with the key of the scene that is at fault: lengths that are no metric at that time, with the
     /// face or edge, and what a flow refuses.
     pub fn at(&mut self, mesh: &Mesh, time: f64) -> Result<MetricAt, AtKey<MetricError>> {
-        let mut lengths = self.between_keys(time);
-        check_positive(mesh, &lengths).map_err(AtKey::of(&*self.key))?;
+        let mut metric = Metric::new(mesh, self.between_keys(time)).map_err(AtKey::of(&*self.key))?;
         let mut curvature_error = None;
         for change in &mut self.changes {
-            (lengths, curvature_error) = change.apply(mesh, lengths, time).map_err(AtKey::of(&*change.key))?;
+            let lengths;
+            let apply = change.apply(mesh, metric.edge_lengths().to_vec(), time);
+            (lengths, curvature_error) = apply.map_err(AtKey::of(&*change.key))?;
+            metric = Metric::new(mesh, lengths).map_err(AtKey::of(&*change.key))?;
         }
-        let metric = Metric::new(mesh, lengths).map_err(AtKey::of(&*self.key))?;
         Ok(MetricAt { metric, curvature_error })
     }
 
@@ -95,17 +96,5 @@ impl MetricProgram {
             Interpolation::Logarithms => libm::exp(mix(libm::log(a), libm::log(b))),
         };
         before.at(time).into_iter().zip(after.at(time)).map(between).collect()
-    }
-}
-
-/// Lengths that come out of a formula or an extrapolation may be none.
-fn check_positive(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {
-    match mesh.edges().find(|e| !(lengths[e.index()].is_finite() && lengths[e.index()] > 0.0)) {
-        None => Ok(()),
-        Some(e) => Err(MetricError::NotPositive {
-            edge: e.index(),
-            vertices: mesh.edge_vertices(e).map(|v| v.0),
-            length: lengths[e.index()],
-        }),
     }
 }

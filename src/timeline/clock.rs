@@ -29,6 +29,11 @@ impl Clock {
         if part == 1.0 { self.end } else { self.start + (self.end - self.start) * part }
     }
 
+    /// The time of the last frame or, in a film that loops, of the first one when it comes again.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
     /// Whether the first frame comes after the last one again.
     pub fn is_looping(&self) -> bool {
         self.looping

@@ -296,7 +296,7 @@ fn groups(regions: &[Region], on_boundary: &[bool]) -> Result<Vec<usize>, Metric
         if !region.curvature.is_finite() {
             return refuse(format!("its curvature is {}", region.curvature));
         }
-        let mut empty = true;
+        let mut count = 0;
         for v in region.vertices.iter().map(|v| v.index()) {
             match groups.get(v) {
                 None => return refuse(format!("vertex {v} is none of the {} of the mesh", groups.len())),
@@ -305,11 +305,15 @@ fn groups(regions: &[Region], on_boundary: &[bool]) -> Result<Vec<usize>, Metric
                 Some(&other) if other < regions.len() => {
                     return refuse(format!("vertex {v} is in region {other} already"));
                 }
-                Some(_) => (groups[v], empty) = (number, false),
+                Some(_) => (groups[v], count) = (number, count + 1),
             }
         }
-        if empty {
+        if count == 0 {
             return refuse("it has no interior vertices".to_owned());
+        }
+        if region.curvature >= TAU * count as f64 {
+            let degrees = region.curvature.to_degrees();
+            return refuse(format!("{degrees} degrees are too many for {count} vertices"));
         }
     }
     Ok(groups)
