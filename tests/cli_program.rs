@@ -293,7 +293,7 @@ fn every_check_holds_up_to_its_bound() {
     let holds = |checks: &ChecksSection, name: &str, film: &[FrameReport]| {
         let found = checks_of(checks, film);
         assert_eq!((found.len(), found[0].name), (1, name));
-        assert!(film.len() > 0 || found[0].value.is_null());
+        assert!(!film.is_empty() || found[0].value.is_null());
         found[0].holds
     };
     for (checks, name, report) in of_last {

@@ -239,7 +239,7 @@ fn amounts_of_ricci_flow_are_its_times() {
     assert_eq!([-0.5, 0.0].map(|t| ricci.at(t)), [start.clone(), start.clone()]);
     assert_eq!([1.0, 1.5].map(|t| ricci.at(t)), [(); 2].map(|()| flow.limit().edge_lengths.clone()));
     for amount in [0.01, 0.3, 0.5, 0.9, 0.999] {
-        assert_eq!(ricci.at(amount), flow.advance_to(-(-amount as f64).ln_1p()).expect("lengths"), "amount {amount}");
+        assert_eq!(ricci.at(amount), flow.advance_to(-libm::log1p(-amount)).expect("lengths"), "amount {amount}");
     }
     // In any order.
     let (early, late) = (ricci.at(0.2), ricci.at(0.8));
@@ -355,7 +355,7 @@ fn changes_in_order() {
     for time in [0.0, 0.7, 0.2] {
         let start = case(&format!("{TORUS}[metric]\nformula = 'length * (1 + 0.2*t*x)'\n")).at(time);
         let mut flow = RicciFlow::new(&moving.surface.mesh, &start, &CurvatureTarget::default()).expect("a flow");
-        assert_eq!(moving.at(time), flow.advance_to(2f64.ln()).expect("lengths"));
+        assert_eq!(moving.at(time), flow.advance_to(-libm::log1p(-0.5)).expect("lengths"));
     }
 }
 
@@ -418,7 +418,7 @@ fn errors_name_key_edge_and_face() {
                 "{SPHERE}[metric]\nextrapolation = 'linear'\n[[metric.key]]\ntime = 0\nformula = '2*length'\n[[metric.key]]\ntime = 0.5\n"
             ),
             "metric.key",
-            |e| matches!(e, MetricError::NotPositive { length, .. } if !(*length > 0.0)),
+            |e| matches!(e, MetricError::NotPositive { length, .. } if length.is_nan()),
         ),
         (
             conformal("log_scale = '9*t*x'\n"),

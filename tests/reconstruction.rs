@@ -40,6 +40,7 @@ fn bowl() -> Surface {
 fn to_the_end(method: Method, dt: f64, max_steps: usize) -> Phase {
     Phase {
         step: StepOptions { method, stiffness: [1.0; 4], crease: 0.0, dt, solver_tolerance: 1e-10 },
+        turn_radians: None,
         feedback: 0.0,
         periods: 0.0,
         accelerate: false,

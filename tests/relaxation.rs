@@ -128,6 +128,7 @@ fn printed_methods_find_the_sphere() {
         let mut simulation = Simulation::new(&scene("[start]\nrandom = 0"), surface.clone()).expect("a simulation");
         let phase = |stiffness, feedback, max_steps| Phase {
             step: StepOptions { method, stiffness, crease: 0.0, dt, solver_tolerance: 1e-3 },
+            turn_radians: None,
             feedback,
             periods: 0.0,
             accelerate: false,

@@ -179,11 +179,7 @@ fn keyframes() {
     one(&motion("times = [0, 1]\nrotations = ^[[0, 0, 0]]"), "1 entries for 2 times", "one per time");
     one(&motion("times = [0]\nrotations = [^[0, 0]]"), "`rotations[0]` has 2 entries, it must have 3", "");
     let keys = "[[metric.key]]\ntime = 1\n[[metric.key]]\ntime = 1";
-    one(
-        &format!("metric.key = ^[{{ time = 1 }}, {{ time = 0 }}]"),
-        "keys are out of order: time 0 comes after 1",
-        sort,
-    );
+    one("metric.key = ^[{ time = 1 }, { time = 0 }]", "keys are out of order: time 0 comes after 1", sort);
     assert_eq!(mistakes(keys).len(), 1);
     one("[parameters]\nk = { times = ^[1, 0], values = [0, 1] }", out_of_order, sort);
     one("[parameters]\nk = ^true", "`k` is true, it must be a number, a formula in quotes", "k = 1");

@@ -22,7 +22,8 @@ pub enum SelectionError {
     NoPositions,
 }
 
-/// The selected vertices, each once. In the order of a list where the scene gives one, else by index.
+/// The selected vertices: in the order of a list where the scene gives one, as often as it names them; else by index,
+/// each once.
 ///
 /// # Errors
 /// [`SelectionError`]
