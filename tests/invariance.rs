@@ -4,7 +4,7 @@ mod support;
 
 use glam::{DMat3, DQuat, DVec3};
 use immerse::algebra::Complex;
-use immerse::evolve::{Frame, Phase, Simulation, Unobserved};
+use immerse::evolve::{Frame, Phase, Simulation, Unobserved, default_phases};
 use immerse::frames::{Method, Shell, StepOptions, Stepper, random_frames};
 use immerse::immersion::{Periods, Poisson, edge_vectors, frames_of_edge_vectors, frames_of_positions, rims};
 use immerse::mesh::{EdgeId, Mesh, Surface};
@@ -207,6 +207,7 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
 fn relax(surface: &Surface) -> Frame {
     let scene = scene("[spin]\nclass = 'immersion'\n[start]\nfrom = 'mesh'");
     let mut simulation = Simulation::new(&scene, surface.clone()).expect("a simulation");
+    simulation.phases = default_phases();
     simulation.phases.truncate(4);
     for (k, phase) in simulation.phases.iter_mut().enumerate() {
         let accelerate = k == 3;
