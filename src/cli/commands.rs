@@ -175,7 +175,7 @@ fn inspect(folder: &Path, json: bool, curves: bool, out: &mut impl Write) -> Res
 fn all_is_well(inspection: &Inspection) -> Result<(), Failure> {
     let broken: Vec<&str> = inspection.checks.iter().filter(|check| !check.holds).map(|check| check.name).collect();
     if !broken.is_empty() {
-        say(format_args!("error: the last frame does not hold to [checks]: {}", broken.join(", ")));
+        say(format_args!("error: the film does not hold to its [checks]: {}", broken.join(", ")));
     }
     for error in &inspection.damaged {
         say(format_args!("error: {error}"));

@@ -226,8 +226,8 @@ fn decades(curves: &[Curve]) -> Axis {
     Axis { from, to, ticks: ticks(from, to, 6.0) }
 }
 
-/// Length errors below this are drawn at it: rounding.
-const SMALLEST_PERCENT: f64 = 1e-12;
+/// Length errors below this are drawn at it: a surface that starts as it is would hide all others.
+const SMALLEST_PERCENT: f64 = 1e-3;
 
 /// `0.01 %` for −2.
 fn percent_of_exponent(exponent: &f64) -> String {

@@ -30,6 +30,13 @@ impl Simulation {
         Ok(())
     }
 
+    /// Takes the last phase up again if it is over.
+    pub(super) fn stay_in_last_phase(&mut self) {
+        if self.cursor.phase >= self.phases.len() {
+            self.cursor = Cursor { phase: self.phases.len().saturating_sub(1), step: 0, dt: 0.0, ..self.cursor };
+        }
+    }
+
     /// At most `left` steps of a phase; says how many were taken, and moves the cursor on when the phase is done.
     pub(super) fn run_phase(
         &mut self,

@@ -201,6 +201,9 @@ impl Simulation {
             (Pace::Steps(_), 0) => {}
             (Pace::Steps(steps), _) => {
                 self.move_to(time)?;
+                if self.changes() {
+                    self.stay_in_last_phase();
+                }
                 self.run_steps(steps, observer)?;
             }
         }
@@ -219,6 +222,11 @@ impl Simulation {
             Some(steps) => self.run_steps(steps, observer)?,
         }
         Ok(self.frame_now())
+    }
+
+    /// Whether anything depends on time.
+    fn changes(&self) -> bool {
+        self.program.changes() || self.pins.changes() || self.bending.as_ref().is_some_and(TargetBending::changes)
     }
 
     /// Starts over in the class with this number, the last generator being its last binary digit.
