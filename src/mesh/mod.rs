@@ -13,7 +13,7 @@ pub use connectivity::Mesh;
 pub use error::MeshError;
 pub use from_scene::from_scene;
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
-pub use read::{read, read_edge_lengths, read_positions};
+pub use read::{read, read_edge_lengths, read_positions, read_vertex_numbers};
 pub use repair::{Repaired, repair};
 pub use selection::{SelectionError, select_edges, select_vertices};
 

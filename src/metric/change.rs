@@ -1,10 +1,11 @@
 //! What a scene does to edge lengths: conformal factors and Ricci flow.
 
 use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow};
-use crate::mesh::{Mesh, Surface, select_vertices};
+use crate::mesh::{Mesh, Surface, read_vertex_numbers, select_vertices};
 use crate::scene::{AtKey, ChangeKind, MetricChangeSection, RicciSection};
 use crate::timeline::{Formula, Number, Parameters};
 use glam::DVec3;
+use std::path::Path;
 use std::sync::Arc;
 
 /// One `[[metric.change]]`.
@@ -40,6 +41,7 @@ impl Change {
     pub fn from_scene(
         section: &MetricChangeSection,
         key: String,
+        folder: &Path,
         surface: &Surface,
         parameters: &Arc<Parameters>,
     ) -> Result<Change, AtKey<MetricError>> {
@@ -62,6 +64,12 @@ impl Change {
                     let vertices = select_vertices(&region.vertices, &surface.mesh, places)
                         .map_err(AtKey::of(at(&format!("region[{k}]"))))?;
                     regions.push(Region { vertices, curvature: region.total.to_radians() });
+                }
+                if let Some(path) = &section.csv {
+                    let numbers =
+                        read_vertex_numbers(&folder.join(path), &surface.mesh).map_err(AtKey::of(at("csv")))?;
+                    let region = |(v, degrees): (_, f64)| Region { vertices: vec![v], curvature: degrees.to_radians() };
+                    regions.extend(numbers.into_iter().map(region));
                 }
                 Kind::Ricci { target: Target { section: section.clone(), regions }, flow: None }
             }

@@ -51,7 +51,8 @@ impl MetricProgram {
             values.push(lengths(&section.lengths, "metric")?);
         }
         let keys = Keyframes::new(times, values, section.ease, section.extrapolation).map_err(AtKey::of(&*key))?;
-        let change = |(k, change)| Change::from_scene(change, format!("metric.change[{k}]"), surface, parameters);
+        let change =
+            |(k, change)| Change::from_scene(change, format!("metric.change[{k}]"), folder, surface, parameters);
         let changes = section.changes.iter().enumerate().map(change).collect::<Result<_, _>>()?;
         Ok(MetricProgram { keys, interpolation: section.interpolation, changes, key })
     }

@@ -9,7 +9,7 @@ use toml::de::DeTable;
 use super::sections::root;
 use super::source::Source;
 use super::table::{Problems, Table};
-use super::{BendingFrom, LengthSource, MeshSection, Scene, SceneError, SceneErrors, StartFrom};
+use super::{BendingFrom, ChangeKind, LengthSource, MeshSection, Scene, SceneError, SceneErrors, StartFrom};
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;
@@ -92,12 +92,16 @@ impl Scene {
             LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
             _ => None,
         });
+        let cones = self.metric.changes.iter().filter_map(|change| match &change.kind {
+            ChangeKind::Ricci(ricci) => ricci.csv.as_ref(),
+            ChangeKind::Conformal { .. } => None,
+        });
         let start = if let StartFrom::File(path) = &self.start.from { Some(path) } else { None };
         let bending = self.bending.as_ref().and_then(|bending| match &bending.from {
             Some(BendingFrom::File(path)) => Some(path),
             _ => None,
         });
-        mesh.into_iter().chain(lengths).chain(start).chain(bending)
+        mesh.into_iter().chain(lengths).chain(cones).chain(start).chain(bending)
     }
 }
 

@@ -107,11 +107,16 @@ fn conformal(table: &mut Table) -> ChangeKind {
 
 fn ricci(table: &mut Table) -> ChangeKind {
     table.only_one_of(&["curvature", "region"]);
+    table.only_one_of(&["curvature", "csv"]);
     ChangeKind::Ricci(RicciSection {
         curvature: table
             .key("curvature", "Gaussian curvature inside; left out, the constant that Gauss-Bonnet leaves.")
             .optional(-1.0),
         regions: table.tables("region", "Vertices with a total curvature of their own.", curvature_region),
+        csv: table
+            .key::<String>("csv", "A file of lines `v,degrees`: vertices with a curvature of their own.")
+            .optional("cones.csv".into())
+            .map(Into::into),
         turning: table
             .key("turning", "Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary keeps its lengths.")
             .optional(360.0),

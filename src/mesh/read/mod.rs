@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::{Mesh, MeshError, Surface, repair};
 
-pub use csv::read_edge_lengths;
+pub use csv::{read_edge_lengths, read_vertex_numbers};
 
 /// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
 ///

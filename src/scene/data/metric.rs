@@ -90,6 +90,8 @@ pub struct RicciSection {
     pub curvature: Option<f64>,
     /// Regions with a total curvature of their own, in place of `curvature`.
     pub regions: Vec<CurvatureRegionSection>,
+    /// `csv = "…"`: lines `v,degrees`, vertices with a curvature of their own, as if each were a region.
+    pub csv: Option<PathBuf>,
     /// Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary
     /// keeps its lengths.
     pub turning: Option<f64>,
