@@ -53,6 +53,22 @@ fn film(folder: &Path, checks: ChecksSection) -> Cache {
     cache
 }
 
+/// Another mesh in place of the scene's; its path starts where it is typed, not at the scene.
+#[test]
+fn a_mesh_from_the_command_line() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("scenes")).unwrap();
+    fs::write(folder.path().join("scenes/film.toml"), "[mesh]\nfile = 'missing.obj'\n").unwrap();
+    let tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+    fs::write(folder.path().join("own.obj"), tetrahedron).unwrap();
+    let (code, _, err) = run(folder.path(), &["check", "scenes/film.toml"]);
+    assert!(code == 2 && err.contains("missing.obj"), "{err}");
+    let (code, out, err) = run(folder.path(), &["check", "scenes/film.toml", "--mesh", "own.obj"]);
+    assert!(code == 0 && out.contains("4 vertices, 6 edges, 4 faces"), "{out}{err}");
+    let (code, _, err) = run(folder.path(), &["check", "scenes/film.toml", "--mesh", "other.obj"]);
+    assert!(code == 2 && err.contains("other.obj"), "{err}");
+}
+
 #[test]
 fn mistakes_in_a_scene_end_with_2_and_are_all_shown_with_a_caret() {
     let folder = tempfile::tempdir().unwrap();

@@ -45,10 +45,7 @@ pub(super) enum Command {
         frames: Option<FrameRange>,
     },
     /// Validate a scene and all it names, and touch nothing
-    Check {
-        /// The scene file
-        scene: PathBuf,
-    },
+    Check(SceneFile),
     /// Say what each computed frame is worth
     Inspect {
         /// The folder of the film
@@ -78,9 +75,19 @@ pub(super) enum Command {
 
 #[derive(Args, Debug)]
 pub(super) struct Film {
-    /// The scene file
-    pub scene: PathBuf,
+    #[command(flatten)]
+    pub scene: SceneFile,
     /// Folder for frames and pictures [default: renders/<scene name>]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct SceneFile {
+    /// The scene file
+    #[arg(value_name = "SCENE")]
+    pub path: PathBuf,
+    /// A mesh file in place of the scene's [mesh]
+    #[arg(long, value_name = "FILE")]
+    pub mesh: Option<PathBuf>,
 }

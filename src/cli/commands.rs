@@ -8,14 +8,14 @@ use std::process::ExitCode;
 use clap::{CommandFactory, Parser};
 
 use super::FrameRangeError;
-use super::arguments::{Arguments, Command, Film};
+use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
 use super::inspect::Inspection;
 use super::pipeline::{self, PipelineError, Summary};
 use super::progress::Bar;
 use crate::cache::CacheError;
-use crate::scene::Scene;
+use crate::scene::{MeshSection, Scene};
 
 /// The scene that `new` writes.
 const STARTER: &str = include_str!("starter.toml");
@@ -104,12 +104,12 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             progress.clear();
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
-        Command::Check { scene: path } => {
-            let scene = Scene::read(path).map_err(PipelineError::from)?;
+        Command::Check(file) => {
+            let scene = read(file)?;
             for note in pipeline::check(&scene)? {
                 writeln!(out, "{note}")?;
             }
-            Ok(writeln!(out, "{}: nothing is wrong", path.display())?)
+            Ok(writeln!(out, "{}: nothing is wrong", file.path.display())?)
         }
         Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, &mut out),
         Command::New { name } => new(name, &mut out),
@@ -125,9 +125,19 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
     Ok(io::stdout().flush()?)
 }
 
+/// The scene, with the mesh of the command line if there is one.
+fn read(file: &SceneFile) -> Result<Scene, Failure> {
+    let mut scene = Scene::read(&file.path).map_err(PipelineError::from)?;
+    if let Some(mesh) = &file.mesh {
+        // Paths of a scene start in its folder, those of a command line where it is typed.
+        scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));
+    }
+    Ok(scene)
+}
+
 /// The scene and the folder of its film.
 fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
-    let scene = Scene::read(&film.scene).map_err(PipelineError::from)?;
+    let scene = read(&film.scene)?;
     let folder = film.out.clone().unwrap_or_else(|| Path::new("renders").join(&scene.name));
     Ok((scene, folder))
 }
