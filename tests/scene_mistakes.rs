@@ -93,11 +93,11 @@ fn wrong_lengths() {
 
 #[test]
 fn impossible_values() {
-    one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 30.0");
-    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 30.0");
+    one("[[phase]]\ndt = ^-1", "`dt` is -1, it must be a number greater than 0", "write for example dt = 10.0");
+    one("[[phase]]\ndt = ^0", "`dt` is 0, it must be a number greater than 0", "dt = 10.0");
     one("mesh = { file = 'é.obj', ^fiel = 1 }", "no `fiel`", "did you mean `file`?");
-    one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 30.0");
-    one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 30.0");
+    one("[[phase]]\ndt = ^nan", "`dt` is nan, it must be finite", "dt = 10.0");
+    one("[[phase]]\ndt = ^1e999", "it must be finite", "dt = 10.0");
     one("[[phase]]\nepsilon = [1, ^-inf, 0, 0]", "`epsilon[1]` is -inf, it must be finite", "epsilon = [");
     one("[[phase]]\nepsilon = [1, ^-1, 0, 0]", "`epsilon[1]` is -1, it must be a number at least 0", "epsilon = [");
     one("[[phase]]\nepsilon = ^[0, 0, 0, 0]", "all weights are 0", "make the first one 1");
