@@ -3,9 +3,11 @@
 
 mod support;
 
+use immerse::cli::checks_of;
 use immerse::evolve::{FrameReport, Simulation, Unobserved};
+use immerse::scene::{MeshSection, Scene};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The mesh, or `None`, said loudly, if it is not to be had. Not by `eprintln`, which a passing test would swallow.
 fn paper_mesh(name: &str) -> Option<PathBuf> {
@@ -64,4 +66,21 @@ fn bunny() {
     if let Some(report) = relaxed("bunny.obj", "") {
         assert!(report.l2_length_error <= 0.005, "{report:?}");
     }
+}
+
+/// Fig. 20. Takes several minutes.
+#[test]
+fn bunny_eversion() {
+    let Some(path) = paper_mesh("bunny.obj") else { return };
+    let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/bunny_eversion.toml");
+    let mut scene = Scene::read(&scene).expect("a scene");
+    scene.mesh = MeshSection::File(std::path::absolute(path).expect("a path"));
+    let mut simulation = Simulation::from_scene(&scene).expect("a simulation");
+    let film: Vec<FrameReport> =
+        (0..scene.clock.frames).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame").report).collect();
+    for check in checks_of(&scene.checks, &film) {
+        eprintln!("{check:?}");
+        assert!(check.holds, "{check:?}");
+    }
+    assert!(film.iter().filter(|report| report.max_move > 0.0).count() >= 120);
 }

@@ -115,25 +115,19 @@ impl Simulation {
         let clock = Clock::from_scene(&scene.clock);
         let time = clock.time(1);
         let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
-        let places = surface.places().map(<[DVec3]>::to_vec);
-        let places = places.as_deref();
-        let Surface { mesh, positions, repairs, .. } = surface;
-        let positions = positions.as_deref();
-        let MetricAt { metric, curvature_error } = program.at(&mesh, time)?;
-        let homology = Homology::new(&mesh, &metric);
-        let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
-        let shape = initial_positions(&scene.start, &scene.folder, &mesh, [positions, places], &parameters, time)?;
+        let MetricAt { metric, curvature_error } = program.at(&surface.mesh, time)?;
+        let shape = initial_positions(&scene.start, &scene.folder, &surface, &parameters, time)?;
         let bending = match &scene.bending {
             None => None,
-            Some(section) => Some(TargetBending::from_scene(
-                section,
-                &scene.folder,
-                &mesh,
-                [positions, places, shape.as_deref()],
-                &parameters,
-            )?),
+            Some(section) => {
+                Some(TargetBending::from_scene(section, &scene.folder, &surface, shape.as_deref(), &parameters)?)
+            }
         };
-        let pins = Pins::from_scene(&scene.pins, &mesh, [positions, places], &parameters, time)?;
+        let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
+        let Surface { mesh, positions, repairs, .. } = surface;
+        let positions = positions.as_deref();
+        let homology = Homology::new(&mesh, &metric);
+        let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
         let pinned = pins.at(time)?;
         let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;

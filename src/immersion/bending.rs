@@ -1,7 +1,7 @@
 //! Target bending angles of a scene (Sec. 6.3), at each time.
 
 use super::bending_angles;
-use crate::mesh::{EdgeId, Mesh, MeshError, SelectionError, read_positions, select_edges};
+use crate::mesh::{EdgeId, MeshError, SelectionError, Surface, read_positions, select_edges};
 use crate::scene::{AtKey, BendingFrom, BendingSection};
 use crate::timeline::{Number, Parameters, TimelineError};
 use glam::DVec3;
@@ -44,18 +44,18 @@ pub struct TargetBending {
 }
 
 impl TargetBending {
-    /// Validates what the scene says; `positions` are those of the mesh, `places` what edges are
-    /// selected by, `start` what frames start from.
+    /// Validates what the scene says of a surface; `start` is what frames start from, |V|.
     ///
     /// # Errors
     /// [`BendingError`] with the key of the scene that is at fault.
     pub fn from_scene(
         section: &BendingSection,
         folder: &Path,
-        mesh: &Mesh,
-        [positions, places, start]: [Option<&[DVec3]>; 3],
+        surface: &Surface,
+        start: Option<&[DVec3]>,
         parameters: &Arc<Parameters>,
     ) -> Result<TargetBending, AtKey<BendingError>> {
+        let (mesh, positions) = (&surface.mesh, surface.positions.as_deref());
         let angles_of = |shape: Option<&[DVec3]>| match shape {
             Some(positions) => Ok(bending_angles(mesh, positions)),
             None => Err(AtKey { key: "bending.from".into(), error: BendingError::NoPositions }),
@@ -74,7 +74,7 @@ impl TargetBending {
         let mut regions = Vec::new();
         for (k, region) in section.regions.iter().enumerate() {
             let key = format!("bending.region[{k}]");
-            let edges = select_edges(&region.edges, mesh, places).map_err(AtKey::of(&*key))?;
+            let edges = select_edges(&region.edges, mesh, surface.places()).map_err(AtKey::of(&*key))?;
             let angle = Number::from_scene(&region.angle, parameters).map_err(AtKey::of(format!("{key}.angle")))?;
             regions.push((edges, angle));
         }

@@ -1,7 +1,7 @@
 //! The positions that frames start from: the mesh, its mirror image or a file, deformed as the scene says.
 
 use super::{noise_along_normals, noise_displacement};
-use crate::mesh::{Mesh, MeshError, read_positions};
+use crate::mesh::{MeshError, Surface, read_positions};
 use crate::scene::{AtKey, NoiseSection, StartFrom, StartSection};
 use crate::timeline::{Parameters, PointFormula, TimelineError};
 use glam::DVec3;
@@ -24,21 +24,21 @@ pub enum StartError {
     NotFinite { vertex: usize, place: [f64; 3] },
 }
 
-/// Where the surface starts, |V|; `None` where frames come from no positions. `positions` are those of the mesh,
-/// `places` what formulas are of.
+/// Where the surface starts, |V|; `None` where frames come from no positions.
 ///
 /// # Errors
 /// [`StartError`] with the key of the scene that is at fault.
 pub fn initial_positions(
     section: &StartSection,
     folder: &Path,
-    mesh: &Mesh,
-    [positions, places]: [Option<&[DVec3]>; 2],
+    surface: &Surface,
     parameters: &Arc<Parameters>,
     time: f64,
 ) -> Result<Option<Vec<DVec3>>, AtKey<StartError>> {
+    let mesh = &surface.mesh;
     // Coordinates are no shape by themselves.
-    let of_mesh = || match if section.formula.is_some() { places } else { positions } {
+    let given = if section.formula.is_some() { surface.places() } else { surface.positions.as_deref() };
+    let of_mesh = || match given {
         Some(positions) => Ok(positions.to_vec()),
         None => Err(AtKey { key: "start.from".into(), error: StartError::NoPositions }),
     };

@@ -1,6 +1,6 @@
 //! Point constraints (Sec. 5.4.1): vertices whose positions are given, at each time.
 
-use crate::mesh::{Mesh, SelectionError, VertexId, select_vertices};
+use crate::mesh::{SelectionError, Surface, VertexId, select_vertices};
 use crate::scene::{AtKey, Extrapolation, PinSection};
 use crate::timeline::{Keyframes, Parameters, PointFormula, TimelineError};
 use glam::{DQuat, DVec3};
@@ -43,25 +43,20 @@ struct Group {
 }
 
 impl Pins {
-    /// Validates what the scene says; `positions` are those of the mesh, `places` what vertices are
-    /// selected by.
+    /// Validates what the scene says of a surface.
     ///
     /// # Errors
     /// [`PinError`] with the key of the pin. Pins that contradict each other at another time than `start` are found
     /// by [`Pins::at`].
     pub fn from_scene(
         sections: &[PinSection],
-        mesh: &Mesh,
-        [positions, places]: [Option<&[DVec3]>; 2],
+        surface: &Surface,
         parameters: &Arc<Parameters>,
         start: f64,
     ) -> Result<Pins, AtKey<PinError>> {
         let mut groups = Vec::new();
         for (k, section) in sections.iter().enumerate() {
-            groups.push(
-                Group::from_scene(section, mesh, [positions, places], parameters)
-                    .map_err(AtKey::of(format!("pin[{k}]")))?,
-            );
+            groups.push(Group::from_scene(section, surface, parameters).map_err(AtKey::of(format!("pin[{k}]")))?);
         }
         let mut vertices: Vec<VertexId> = groups.iter().flat_map(|group| &group.rest).map(|(v, _)| *v).collect();
         vertices.sort_unstable();
@@ -113,18 +108,13 @@ impl Pins {
 const SAME_PLACE: f64 = 1e-12;
 
 impl Group {
-    fn from_scene(
-        section: &PinSection,
-        mesh: &Mesh,
-        [positions, places]: [Option<&[DVec3]>; 2],
-        parameters: &Arc<Parameters>,
-    ) -> Result<Group, PinError> {
-        let vertices = select_vertices(&section.vertices, mesh, places)?;
+    fn from_scene(section: &PinSection, surface: &Surface, parameters: &Arc<Parameters>) -> Result<Group, PinError> {
+        let vertices = select_vertices(&section.vertices, &surface.mesh, surface.places())?;
         let given = section.positions.len();
         if given > 0 && given != vertices.len() {
             return Err(PinError::Count { vertices: vertices.len(), positions: given });
         }
-        let place = |(k, &v): (usize, &VertexId)| match (section.positions.get(k), positions) {
+        let place = |(k, &v): (usize, &VertexId)| match (section.positions.get(k), &surface.positions) {
             (Some(place), _) => Ok((v, DVec3::from_array(*place))),
             (None, Some(positions)) => Ok((v, positions[v.index()])),
             (None, None) => Err(PinError::NoPositions),
