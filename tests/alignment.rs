@@ -75,6 +75,32 @@ fn principal_axes_do_not_depend_on_the_motion_and_are_ordered() {
     }
 }
 
+/// Part of the way from one motion to another: about a point that stays, by an angle that is not exceeded.
+#[test]
+fn motions_turn_toward_others_by_a_bounded_angle() {
+    let (surface, reference) = egg();
+    let weights = Metric::new(&surface.mesh, lengths_of_positions(&surface.mesh, &reference)).unwrap();
+    let weights = weights.vertex_areas(&surface.mesh);
+    let mut random = Random::new(5);
+    for _ in 0..20 {
+        let points = moved(&reference, &mut random).1;
+        let here = RigidMotion::onto(&moved(&reference, &mut random).1, &points, &weights);
+        let goal = RigidMotion::onto(&reference, &points, &weights);
+        let pivot = points[7];
+        let angle = |a: &RigidMotion, b: &RigidMotion| {
+            let turn = a.frame(DQuat::IDENTITY).conjugate() * b.frame(DQuat::IDENTITY);
+            2.0 * turn.w.abs().min(1.0).acos()
+        };
+        let whole = angle(&here, &goal);
+        for part in [0.0, 0.3, 1.0, 2.0] {
+            let between = here.toward(&goal, part * whole, pivot);
+            assert!((between.point(pivot) - here.point(pivot)).length() < 1e-12);
+            assert!((angle(&here, &between) - part.min(1.0) * whole).abs() < 1e-6);
+            assert!((angle(&between, &goal) - (1.0 - part.min(1.0)) * whole).abs() < 1e-6);
+        }
+    }
+}
+
 #[test]
 fn values_that_are_not_numbers_do_no_harm() {
     let points = [DVec3::NAN, DVec3::X];
