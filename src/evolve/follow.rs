@@ -1,7 +1,7 @@
 //! From one frame to the next: the metric moves on, and the class does not (App. B.2).
 
 use super::discretization::Discretization;
-use super::{Cursor, EvolveError, Observer, Settling, Simulation};
+use super::{EvolveError, Observer, Settling, Simulation};
 use crate::metric::MetricAt;
 use crate::spin::{ChangeOfMetric, class_digits};
 
@@ -17,16 +17,19 @@ impl Simulation {
         observer: &mut dyn Observer,
     ) -> Result<(), EvolveError> {
         let phase = settling.phase(&self.phases);
-        let parts = self.parts_to(time, settling.max_strain)?;
+        let there = self.metric_at(time)?;
+        let parts = self.parts_to(time, &there, settling.max_strain)?;
         let from = self.time;
-        for part in 1..=parts {
-            let there = if part == parts { time } else { from + (time - from) * part as f64 / parts as f64 };
-            self.move_to(there)?;
-            let steps = if part == parts { settling.max_steps } else { STEPS_ON_THE_WAY };
-            self.cursor = Cursor { phase: self.phases.len(), step: 0, dt: 0.0, ..self.cursor };
-            self.run_phase(&phase, steps, observer)?;
+        let phases_done = self.phases.len();
+        self.cursor = self.cursor.at_start_of(phases_done);
+        for part in 1..parts {
+            self.move_to(from + (time - from) * part as f64 / parts as f64)?;
+            self.run_phase(&phase, STEPS_ON_THE_WAY, observer)?;
+            self.cursor = self.cursor.at_start_of(phases_done);
         }
-        self.cursor = Cursor { phase: self.phases.len(), step: 0, dt: 0.0, ..self.cursor };
+        self.take_on(time, there)?;
+        self.run_phase(&phase, settling.max_steps, observer)?;
+        self.cursor = self.cursor.at_start_of(phases_done);
         Ok(())
     }
 
@@ -40,9 +43,9 @@ impl Simulation {
         self.move_to(clock.time(1))
     }
 
-    /// How many parts the way to a time is to be cut into.
-    fn parts_to(&mut self, time: f64, max_strain: f64) -> Result<usize, EvolveError> {
-        let there = self.metric_at(time)?.metric;
+    /// How many parts the way to the metric of a time is to be cut into.
+    fn parts_to(&self, time: f64, there: &MetricAt, max_strain: f64) -> Result<usize, EvolveError> {
+        let there = &there.metric;
         let mean_length = self.metric.edge_lengths().iter().sum::<f64>() / self.mesh.edge_count() as f64;
         let shift = self.pins.at(time)?;
         let longest = shift.iter().zip(&self.places).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);
@@ -52,7 +55,13 @@ impl Simulation {
 
     /// Takes metric, bending and pins to a time, with spin structure and frames.
     pub(super) fn move_to(&mut self, time: f64) -> Result<(), EvolveError> {
-        let MetricAt { metric, curvature_error } = self.metric_at(time)?;
+        let there = self.metric_at(time)?;
+        self.take_on(time, there)
+    }
+
+    /// As [`Simulation::move_to`], with the metric of that time.
+    fn take_on(&mut self, time: f64, there: MetricAt) -> Result<(), EvolveError> {
+        let MetricAt { metric, curvature_error } = there;
         self.curvature_error = curvature_error;
         self.time = time;
         let changed = metric.edge_lengths() != self.metric.edge_lengths();

@@ -33,7 +33,7 @@ impl Simulation {
     /// Takes the last phase up again if it is over.
     pub(super) fn stay_in_last_phase(&mut self) {
         if self.cursor.phase >= self.phases.len() {
-            self.cursor = Cursor { phase: self.phases.len().saturating_sub(1), step: 0, dt: 0.0, ..self.cursor };
+            self.cursor = self.cursor.at_start_of(self.phases.len().saturating_sub(1));
         }
     }
 
@@ -73,7 +73,7 @@ impl Simulation {
                 return Err(EvolveError::Stopped { steps: self.cursor.steps });
             }
             if settled || self.cursor.step >= max_steps {
-                self.cursor = Cursor { phase: self.cursor.phase + 1, step: 0, settled, dt: 0.0, ..self.cursor };
+                self.cursor = Cursor { settled, ..self.cursor.at_start_of(self.cursor.phase + 1) };
                 return Ok(taken);
             }
             if phase.turn_radians.is_some() {
@@ -101,7 +101,7 @@ impl Simulation {
             self.fewest_rims = Some((tangles, self.frames.clone()));
         }
         if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
-            self.cursor = Cursor { phase: 0, restarts: self.cursor.restarts + 1, ..self.cursor };
+            self.cursor = Cursor { restarts: self.cursor.restarts + 1, ..self.cursor.at_start_of(0) };
             // Seeds of restarts are far from those that users write.
             self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
         } else if let Some((_, frames)) = self.fewest_rims.take() {

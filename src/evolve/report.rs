@@ -20,6 +20,13 @@ pub struct Cursor {
     pub settled: bool,
 }
 
+impl Cursor {
+    /// The same run at the start of a phase.
+    pub(super) fn at_start_of(self, phase: usize) -> Cursor {
+        Cursor { phase, step: 0, dt: 0.0, ..self }
+    }
+}
+
 /// One line of `inspect`: what a cached frame is worth.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameReport {

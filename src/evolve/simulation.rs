@@ -32,6 +32,8 @@ pub struct Simulation {
     pub(super) bending: Option<TargetBending>,
     pub(super) pins: Pins,
     pub(super) clock: Clock,
+    /// Whether anything in the scene depends on time.
+    changes: bool,
     pub(super) pace: Pace,
     /// The last frame that was made; 0 before the first.
     pub(super) frame: usize,
@@ -152,6 +154,7 @@ impl Simulation {
             bending,
             pins,
             clock,
+            changes,
             pace: Pace::from_scene(&scene.clock, &scene.spin, changes),
             frame: 0,
             time,
@@ -195,7 +198,7 @@ impl Simulation {
             (Pace::Steps(_), 0) => {}
             (Pace::Steps(steps), _) => {
                 self.move_to(time)?;
-                if self.changes() {
+                if self.changes {
                     self.stay_in_last_phase();
                 }
                 self.run_steps(steps, observer)?;
@@ -216,11 +219,6 @@ impl Simulation {
             Some(steps) => self.run_steps(steps, observer)?,
         }
         Ok(self.frame_now())
-    }
-
-    /// Whether anything depends on time.
-    fn changes(&self) -> bool {
-        self.program.changes() || self.pins.changes() || self.bending.as_ref().is_some_and(TargetBending::changes)
     }
 
     /// Starts over in the class with this number, the last generator being its last binary digit.

@@ -1,5 +1,6 @@
 //! Where a surface lies in space: a metric leaves a rigid motion open, and random frames choose one at random.
 
+use crate::algebra::quaternion;
 use glam::{DMat3, DQuat, DVec3};
 use nalgebra::{Matrix3, Matrix4};
 
@@ -80,9 +81,7 @@ impl RigidMotion {
         let turn = upward(goal.rotation * self.rotation.conjugate());
         let (sine, axis) = (turn.xyz().length(), turn.xyz().normalize_or_zero());
         let half = libm::atan2(sine, turn.w).min(0.5 * largest_turn_radians);
-        let (sine, cosine) = libm::sincos(half);
-        let turn = DQuat::from_vec4((axis * sine).extend(cosine));
-        let rotation = upward(turn * self.rotation);
+        let rotation = upward(quaternion::exp(half, axis) * self.rotation);
         RigidMotion { rotation, translation: self.point(pivot) - rotation * pivot }
     }
 

@@ -1,9 +1,10 @@
 //! Point constraints (Sec. 5.4.1): vertices whose positions are given, at each time.
 
+use crate::algebra::quaternion;
 use crate::mesh::{SelectionError, Surface, VertexId, select_vertices};
 use crate::scene::{AtKey, Extrapolation, PinSection};
 use crate::timeline::{Keyframes, Parameters, PointFormula, TimelineError};
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use std::sync::Arc;
 
 /// Why pins are refused.
@@ -146,11 +147,7 @@ impl Group {
         if let Some([translation, rotation]) = &self.motion {
             let center = places.iter().map(|(_, place)| *place).sum::<DVec3>() / places.len() as f64;
             let (shift, angles) = (translation.at(time), rotation.at(time));
-            let turn = |axis, degrees: f64| {
-                let (sin, cos) = libm::sincos(0.5 * degrees.to_radians());
-                let axis: DVec3 = axis;
-                DQuat::from_xyzw(axis.x * sin, axis.y * sin, axis.z * sin, cos)
-            };
+            let turn = |axis, degrees: f64| quaternion::exp(0.5 * degrees.to_radians(), axis);
             let rotation = turn(DVec3::Z, angles.z) * turn(DVec3::Y, angles.y) * turn(DVec3::X, angles.x);
             for (_, place) in &mut places {
                 *place = center + shift + rotation * (*place - center);

@@ -60,8 +60,11 @@ pub(super) fn start(table: &mut Table) -> StartSection {
 
 fn noise(table: &mut Table) -> NoiseSection {
     NoiseSection {
-        amplitude: table.key("amplitude", "Largest displacement along each axis, about.").at_least(0.0).required(0.1),
-        wavelength: table.key("wavelength", "Size of the largest bumps.").above(0.0).required(0.5),
+        amplitude: table
+            .key("amplitude", "Root mean square displacement of the first layer.")
+            .at_least(0.0)
+            .required(0.1),
+        wavelength: table.key("wavelength", "Length of the waves of the first layer.").above(0.0).required(0.5),
         octaves: table
             .key("octaves", "Layers, each of half the wavelength and half the amplitude of the one before.")
             .at_least(1.0)

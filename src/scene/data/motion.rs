@@ -58,9 +58,9 @@ impl Default for StartFrom {
 /// Smooth random displacement of positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NoiseSection {
-    /// Largest displacement along each axis, about.
+    /// Root mean square displacement of the first layer.
     pub amplitude: f64,
-    /// Size of the largest bumps.
+    /// Length of the waves of the first layer.
     pub wavelength: f64,
     /// Number of layers, each of half the wavelength and half the amplitude of the one before.
     pub octaves: usize,
