@@ -5,7 +5,7 @@
 
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Film, Lights, Look, Output, Scenery, render},
+    render::{Camera, Extent, Film, Lights, Lines, Look, Output, Paint, Scenery, render},
     scene::CameraSection,
 };
 
@@ -13,13 +13,12 @@ const WHITE: Vec3 = Vec3::ONE;
 
 fn flat_look() -> Look {
     Look {
-        front: WHITE,
-        back: Vec3::ZERO,
+        paint: Paint::Sides([WHITE, Vec3::ZERO]),
         sky: 0.5 * WHITE,
         ground: 0.5 * WHITE,
         occlusion_reach: 0.0,
         rim_darkening: 0.0,
-        lines: false,
+        lines: Lines::NONE,
         ..Look::default()
     }
 }
@@ -32,6 +31,7 @@ fn plan_view(output: &Output) -> Camera {
         up: Some([0.0, 1.0, 0.0]),
         field_of_view: Some(0.0),
         fill: Some(1.0),
+        ..CameraSection::default()
     };
     Camera::framing(&section, &extent, output).expect("a plan view")
 }
@@ -121,7 +121,7 @@ fn of_two_triangles_at_the_same_depth_the_first_is_seen() {
 
 #[test]
 fn a_floor_that_passes_under_the_eye_is_clipped_at_the_near_plane() {
-    let output = Output::new(8, 8, 1).expect("a size");
+    let output = Output::new(8, 8, 1).expect("a size").with_layers(true);
     let eye = DVec3::new(0.0, 1.0, 0.0);
     let camera = Camera::look_at(eye, eye - DVec3::Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");
     let (far, wide) = (1000.0, 5000.0);
@@ -133,7 +133,7 @@ fn a_floor_that_passes_under_the_eye_is_clipped_at_the_near_plane() {
     let (sky, ground) = ("........", "########");
     assert_eq!(drawing(&film), lines(&[sky, sky, sky, sky, ground, ground, ground, ground]));
     // One unit below an eye with a right angle of view, the middle of row 4 is at 1 / tan = 8 units.
-    assert!((film.depth()[4 * 8 + 3] - 8.0).abs() < 1e-3);
+    assert!((film.layers().expect("layers").depth[4 * 8 + 3] - 8.0).abs() < 1e-3);
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Film, Lights, Look, Output, RenderError, Scenery, render},
+    render::{Camera, Extent, Film, Lights, Lines, Look, Output, Paint, RenderError, Scenery, render},
     scene::{CameraSection, LightSection, LookSection, OutputSection},
 };
 
@@ -50,13 +50,12 @@ fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
     let (positions, triangles) = sphere();
     let surround = Vec3::splat(0.75);
     let look = Look {
-        front: Vec3::ONE,
-        back: Vec3::ONE,
-        background: surround,
+        paint: Paint::Sides([Vec3::ONE; 2]),
+        background: [surround; 2],
         sky: surround,
         ground: surround,
         rim_darkening: 0.0,
-        lines: false,
+        lines: Lines::NONE,
         ..Look::default()
     };
     let output = Output::new(96, 72, 8).expect("a size");
@@ -78,7 +77,7 @@ fn the_hollow_of_a_torus_gets_less_ambient_light_and_its_outside_all_of_it() {
     let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let [open, occluded] = [0.0, 2.0].map(|occlusion_reach| {
-        let look = Look { lines: false, occlusion_reach, ..Look::default() };
+        let look = Look { lines: Lines::NONE, occlusion_reach, ..Look::default() };
         render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture")
     });
     // From above, along the horizontal through the middle: the outer flank, then the inner one.
@@ -104,6 +103,7 @@ fn a_sheet_throws_a_shadow_on_the_sheet_behind_it() {
         up: Some([0.0, 1.0, 0.0]),
         field_of_view: Some(0.0),
         fill: Some(1.0),
+        ..CameraSection::default()
     };
     let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
@@ -126,6 +126,7 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
         up: Some([0.0, 1.0, 0.0]),
         field_of_view: Some(0.0),
         fill: Some(0.9),
+        ..CameraSection::default()
     };
     let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery {
@@ -134,6 +135,7 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
         rims: &[[7, 8], [9, 10]],
         boundary: &[[0, 1]],
         pinch_points: &[],
+        ..Scenery::default()
     };
     let look = Look { occlusion_reach: 0.0, ..Look::default() };
     let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
@@ -148,7 +150,7 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let (positions, triangles) = torus(64, 24);
-    let look = Look::from_scene(&LookSection { wireframe: 0.3, ..LookSection::default() }).expect("a look");
+    let look = Look::from_scene(&LookSection { wireframe: Some(0.3), ..LookSection::default() }).expect("a look");
     let output = Output::new(200, 150, 4).expect("a size");
     let pictures: Vec<Film> = [1, 2, 4]
         .map(|threads| {
@@ -162,7 +164,8 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn files_read_back_as_they_were_made() {
     let (positions, triangles) = torus(48, 20);
-    let film = shown(&positions, &triangles, &Look::default(), &Output::new(80, 60, 4).expect("a size"));
+    let film =
+        shown(&positions, &triangles, &Look::default(), &Output::new(80, 60, 4).expect("a size").with_layers(true));
     let folder = tempfile::tempdir().expect("a folder");
 
     let png = folder.path().join("frame.png");
@@ -172,6 +175,7 @@ fn files_read_back_as_they_were_made() {
     assert_eq!(read.get_pixel(0, 0).0, [0xF4, 0xF3, 0xF0], "the background is exact");
     assert_eq!(read.into_raw(), film.srgb_bytes());
 
+    let layers = film.layers().expect("layers");
     let exr = folder.path().join("frame.exr");
     film.write_exr(&exr).expect("an EXR");
     let read = exr::prelude::read_first_flat_layer_from_file(&exr).expect("a readable EXR");
@@ -186,8 +190,8 @@ fn files_read_back_as_they_were_made() {
         match name.as_str() {
             "A" => assert!(values.iter().zip(film.beauty()).all(|(a, pixel)| (a - pixel.w).abs() < 1e-3)),
             "R" => assert!(values.iter().zip(film.beauty()).all(|(r, pixel)| (r - pixel.x).abs() < 1e-3)),
-            "Z" => assert_eq!(values, film.depth()),
-            "N.Y" => assert!(values.iter().zip(film.normals()).all(|(y, normal)| *y == normal.y)),
+            "Z" => assert_eq!(&values, &layers.depth),
+            "N.Y" => assert!(values.iter().zip(&layers.normals).all(|(y, normal)| *y == normal.y)),
             _ => {}
         }
     }
@@ -233,6 +237,7 @@ fn triangles_without_area_or_with_wild_corners_are_left_out_and_counted() {
         rims: &[[0, first]],
         boundary: &[[first + 1, 0]],
         pinch_points: &[first],
+        ..Scenery::default()
     };
     let film = render(&scenery, &camera.expect("a view"), &Lights::default(), &Look::default(), &output);
     let film = film.expect("a picture");
@@ -286,7 +291,8 @@ fn impossible_values_of_a_scene_are_refused_with_a_remedy() {
         (message(Lights::from_scene(&[light]).expect_err("no direction")), "write a vector"),
         (
             message(
-                Look::from_scene(&LookSection { wireframe: f64::NAN, ..Default::default() }).expect_err("not a number"),
+                Look::from_scene(&LookSection { wireframe: Some(f64::NAN), ..Default::default() })
+                    .expect_err("not a number"),
             ),
             "write 0.3",
         ),

@@ -115,7 +115,7 @@ fn impossible_values() {
     one("[spin]\nclass = ^'0a'", "one digit 0 or 1 per generator", "\"immersion\"");
     one("[checks]\nclass = ^'immersion'", "one digit 0 or 1 per generator", "class = \"01\"");
     one("[camera]\nup = ^[0, 0, 0]", "`up` is the zero vector", "up = [0, 1, 0]");
-    one("[camera]\nfield_of_view = ^180", "a number at least 0 and less than 180", "field_of_view = 30.0");
+    one("[camera]\nfield_of_view = ^180", "a number from 0 to 150", "field_of_view = 30.0");
     one("[output]\nsamples = ^2", "`samples` is 2, it must be 1, 4, 8 or 16", "samples = 8");
     one("[output]\nsize = [640, ^100000]", "from 1 to 16384", "size = [1280,960]");
     one(

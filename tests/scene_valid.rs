@@ -118,15 +118,26 @@ class = "01"
             direction: Some([1.0, 0.0, 0.0]),
             up: Some([0.0, 0.0, 1.0]),
             field_of_view: Some(0.0),
-            fill: Some(1.0)
+            fill: Some(1.0),
+            ..CameraSection::default()
         }
     );
     assert_eq!(scene.lights, [LightSection { direction: [0.0, 0.0, 1.0], color: [2.0, 1.0, 0.0], shadow: false }]);
     assert_eq!(
         scene.look,
-        LookSection { front: [1, 2, 3], back: [255; 3], background: [0; 3], wireframe: 0.25, lines: false }
+        LookSection {
+            front: Some([1, 2, 3]),
+            back: Some([255; 3]),
+            background: Some([0; 3]),
+            wireframe: Some(0.25),
+            lines: Some(false),
+            ..LookSection::default()
+        }
     );
-    assert_eq!(scene.output, OutputSection { size: [320, 200], samples: 16, png: false, exr: true });
+    assert_eq!(
+        scene.output,
+        OutputSection { size: [320, 200], samples: 16, png: false, exr: true, ..OutputSection::default() }
+    );
     assert_eq!(
         scene.checks,
         ChecksSection {

@@ -273,6 +273,7 @@ pub(super) fn render_frames(
             rims: &rims,
             boundary: &boundary,
             pinch_points: &pinch_points,
+            ..Scenery::default()
         };
         let film = render(&scenery, &camera, &lights, &look, &output)?;
         if film.skipped_triangles() > 0 {

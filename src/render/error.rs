@@ -17,6 +17,16 @@ pub enum RenderError {
         /// How many positions there are.
         vertices: usize,
     },
+    /// A list of the scenery does not fit the surface.
+    #[error("{list} has {found} values where there must be {wanted}; pass one per triangle or vertex of this surface")]
+    Length {
+        /// Which list.
+        list: String,
+        /// How many values it has.
+        found: usize,
+        /// How many it must have.
+        wanted: usize,
+    },
     /// The view cannot be built.
     #[error("[camera] {key} = {value} {reason}; {remedy}")]
     Camera {

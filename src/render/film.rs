@@ -3,7 +3,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use glam::{Vec3, Vec4};
+use glam::{Vec2, Vec3, Vec4};
 use image::{
     ExtendedColorType, ImageEncoder,
     codecs::png::{CompressionType, FilterType, PngEncoder},
@@ -17,14 +17,33 @@ use super::{RenderError, color::srgb_from_linear};
 pub struct Film {
     pub(super) width: usize,
     pub(super) height: usize,
-    pub(super) background: Vec3,
+    /// Behind the surface, one colour per row.
+    pub(super) background: Vec<Vec3>,
     /// Red, green, blue (already multiplied by the coverage) and coverage, after the tone curve.
     pub(super) beauty: Vec<Vec4>,
-    /// Distance from the eye of the nearest sample, infinite where nothing is seen.
-    pub(super) depth: Vec<f32>,
-    /// Mean unit normal in world space, zero where no surface is seen.
-    pub(super) normals: Vec<Vec3>,
+    pub(super) layers: Option<Layers>,
     pub(super) skipped_triangles: usize,
+}
+
+/// What else is known of each pixel, row by row: of the surface that most samples of the pixel see.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Layers {
+    /// Distance from the eye along the axis of view, infinite where nothing is seen.
+    pub depth: Vec<f32>,
+    /// Unit normal of the front in world space, zero where no surface is seen.
+    pub normals: Vec<Vec3>,
+    /// Place in world space, zero where no surface is seen.
+    pub positions: Vec<Vec3>,
+    /// Triangle of the scenery, `u32::MAX` where no surface is seen.
+    pub face_ids: Vec<u32>,
+    /// 1 where the front is seen, -1 where the back is, 0 where no surface is.
+    pub sides: Vec<f32>,
+    /// Pixels that the surface moves to the next frame, right and down.
+    pub motion: Vec<Vec2>,
+    /// Share of the sky that is seen, 1 where no surface is.
+    pub occlusion: Vec<f32>,
+    /// Name and values of each field of the scenery, not a number where no surface is seen.
+    pub fields: Vec<(String, Vec<f32>)>,
 }
 
 impl Film {
@@ -48,21 +67,16 @@ impl Film {
         &self.beauty
     }
 
-    /// Distance from the eye along the axis of view, row by row; infinite where nothing is seen.
-    pub fn depth(&self) -> &[f32] {
-        &self.depth
-    }
-
-    /// Normals of the front in world space, row by row; zero where no surface is seen.
-    pub fn normals(&self) -> &[Vec3] {
-        &self.normals
+    /// Depth, normals and more, if the output asked for them.
+    pub fn layers(&self) -> Option<&Layers> {
+        self.layers.as_ref()
     }
 
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
         let width = self.width;
         let pixel = |(index, light): (usize, &Vec4)| {
-            let color = light.truncate() + self.background * (1.0 - light.w);
+            let color = light.truncate() + self.background[index / width] * (1.0 - light.w);
             // The background alone has no gradient and needs no dither.
             let dither = if light.w > 0.0 { dither(index % width, index / width) } else { 0.0 };
             color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)

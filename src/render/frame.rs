@@ -1,9 +1,11 @@
-use glam::{Vec3, Vec3A, Vec4};
+use glam::{Vec3, Vec4};
 use rayon::prelude::*;
 
 use super::{
     Camera, Film, Lights, Look, Output, RenderError, Scenery,
     bins::Bins,
+    color::tone_mapped,
+    layers::LayerBuilder,
     lines::tubes,
     project::{Projection, ScreenTriangle},
     raster::{FIRST_TUBE, MARGIN, NOTHING, SampleTile, TILE},
@@ -30,7 +32,7 @@ pub fn render(
 ) -> Result<Film, RenderError> {
     scenery.validate()?;
     let stage = Stage::new(scenery, camera, output);
-    let tubes = if look.lines { tubes(scenery, &stage, camera, output) } else { Vec::new() };
+    let tubes = tubes(scenery, &stage, camera, &look.lines, output);
     let most = stage.faces.len().max(tubes.len());
     if most >= FIRST_TUBE as usize - 1 {
         return Err(RenderError::TooManyPrimitives(most));
@@ -39,6 +41,7 @@ pub fn render(
     let visibility = Visibility::new(&stage, lights, look);
     let pattern = pattern(output.samples());
     let frame = Frame {
+        scenery,
         triangle_bins: Bins::new(triangles.iter().map(ScreenTriangle::bounds), TILE, MARGIN, output),
         tube_bins: Bins::new(tubes.iter().map(ScreenTube::bounds), TILE, MARGIN, output),
         triangles,
@@ -47,11 +50,12 @@ pub fn render(
         pattern,
         shader: Shader { stage: &stage, visibility: &visibility, camera, lights, look, output },
     };
-    Ok(frame.film(stage.skipped))
+    Ok(frame.film())
 }
 
 /// What tiles are made from.
 struct Frame<'a> {
+    scenery: &'a Scenery<'a>,
     triangles: Vec<ScreenTriangle>,
     tubes: Vec<ScreenTube>,
     triangle_bins: Bins,
@@ -62,11 +66,17 @@ struct Frame<'a> {
 }
 
 /// A finished pixel.
-#[derive(Clone, Copy, Default)]
-struct Pixel {
-    beauty: Vec4,
-    depth: f32,
-    normal: Vec3A,
+#[derive(Clone, Copy)]
+pub struct Pixel {
+    pub beauty: Vec4,
+    /// The primitive that most of its samples see.
+    pub id: u32,
+    /// The nearest depth of those samples.
+    pub depth: f32,
+}
+
+impl Pixel {
+    const EMPTY: Pixel = Pixel { beauty: Vec4::ZERO, id: NOTHING, depth: 0.0 };
 }
 
 impl Frame<'_> {
@@ -79,7 +89,7 @@ impl Frame<'_> {
         let count = ((inner.x[1] - inner.x[0]) * (inner.y[1] - inner.y[0])) as usize;
         let (triangles, tubes) = (self.triangle_bins.of(tile), self.tube_bins.of(tile));
         if triangles.is_empty() && tubes.is_empty() {
-            return vec![Pixel::default(); count];
+            return vec![Pixel::EMPTY; count];
         }
         for &triangle in triangles {
             samples.draw_triangle(&self.triangles[triangle as usize]);
@@ -117,11 +127,12 @@ impl Frame<'_> {
                         continue;
                     }
                     let at = self.middle_of_samples(ids, id, x, y);
-                    colors[first] = if id < FIRST_TUBE {
+                    let shaded = if id < FIRST_TUBE {
                         self.shader.face(id as usize, at)
                     } else {
                         self.shader.tube(&self.tubes[(id - FIRST_TUBE) as usize], at)
                     };
+                    colors[first] = Shaded { color: tone_mapped(shaded.color), ..shaded };
                 }
             }
         }
@@ -151,46 +162,65 @@ impl Frame<'_> {
                 }
             }
         }
-        let pixel = samples.pixel_index(x, y);
-        let surface = samples.ids(pixel).iter().zip(&shaded[pixel * count..]).filter(|&(&id, _)| id < FIRST_TUBE);
-        let normal = surface.map(|(_, color)| color.normal).sum::<Vec3A>().normalize_or_zero();
-        let depth = samples.depths(pixel).iter().copied().fold(0.0, f32::max);
-        Pixel { beauty: whole(beauty), depth, normal }
+        let (id, depth) = dominant(samples, samples.pixel_index(x, y));
+        Pixel { beauty: whole(beauty), id, depth }
     }
 
     /// Makes all tiles, some rows of them at a time, so that little more than the film is in memory.
-    fn film(&self, skipped_triangles: usize) -> Film {
-        let Shader { output, camera, look, .. } = self.shader;
+    fn film(&self) -> Film {
+        let Shader { output, look, .. } = self.shader;
         let (width, height) = (output.width(), output.height());
         let columns = width.div_ceil(TILE);
         let rows_at_a_time = TILES_AT_A_TIME.div_ceil(columns);
-        let world_from_view = camera.view_from_world().matrix3.transpose();
         let mut film = Film {
             width,
             height,
-            background: look.background,
+            background: gradient(look.background, height),
             beauty: Vec::with_capacity(width * height),
-            depth: Vec::with_capacity(width * height),
-            normals: Vec::with_capacity(width * height),
-            skipped_triangles,
+            layers: None,
+            skipped_triangles: self.shader.stage.skipped,
         };
+        let mut layers = output.has_layers().then(|| LayerBuilder::new(self.scenery, &self.shader));
         for first_row in (0..height.div_ceil(TILE)).step_by(rows_at_a_time) {
             let top = first_row * TILE;
             let bottom = (top + rows_at_a_time * TILE).min(height);
             let first_tile = first_row * columns;
             let last_tile = bottom.div_ceil(TILE) * columns;
             let tiles: Vec<Vec<Pixel>> = (first_tile..last_tile).into_par_iter().map(|tile| self.tile(tile)).collect();
-            for (x, y) in (top..bottom).flat_map(|y| (0..width).map(move |x| (x, y))) {
-                let tile_width = TILE.min(width - x / TILE * TILE);
-                let pixel = &tiles[y / TILE * columns + x / TILE - first_tile][y % TILE * tile_width + x % TILE];
-                let seen = pixel.depth > 0.0;
-                film.beauty.push(pixel.beauty);
-                film.depth.push(if seen { camera.distance(f64::from(pixel.depth)) as f32 } else { f32::INFINITY });
-                film.normals.push((world_from_view * Vec3::from(pixel.normal).as_dvec3()).as_vec3());
+            for y in top..bottom {
+                let row: Vec<Pixel> = (0..width)
+                    .map(|x| {
+                        let tile_width = TILE.min(width - x / TILE * TILE);
+                        tiles[y / TILE * columns + x / TILE - first_tile][y % TILE * tile_width + x % TILE]
+                    })
+                    .collect();
+                film.beauty.extend(row.iter().map(|pixel| pixel.beauty));
+                if let Some(layers) = &mut layers {
+                    layers.push_row(y, &row);
+                }
             }
         }
+        film.layers = layers.map(LayerBuilder::finish);
         film
     }
+}
+
+/// The primitive that most samples of a pixel see, the first of equals, and its nearest depth.
+fn dominant(samples: &SampleTile, pixel: usize) -> (u32, f32) {
+    let (ids, depths) = (samples.ids(pixel), samples.depths(pixel));
+    let count = |id: u32| ids.iter().filter(|&&other| other == id).count();
+    let seen = ids.iter().copied().filter(|&id| id != NOTHING);
+    let Some(id) = seen.reduce(|best, id| if count(id) > count(best) { id } else { best }) else {
+        return (NOTHING, 0.0);
+    };
+    let nearest = ids.iter().zip(depths).filter(|(other, _)| **other == id).map(|(_, depth)| *depth);
+    (id, nearest.fold(0.0, f32::max))
+}
+
+/// One colour per row, from the upper to the lower end.
+fn gradient([top, bottom]: [Vec3; 2], height: usize) -> Vec<Vec3> {
+    let part = |row: usize| if height > 1 { row as f32 / (height - 1) as f32 } else { 0.0 };
+    (0..height).map(|row| top.lerp(bottom, part(row))).collect()
 }
 
 /// Full coverage is exactly 1, whatever the rounding of the weights.

@@ -4,32 +4,22 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::{
-    Camera, Output, Scenery,
+    Camera, Lines, Output, Scenery,
     intersect::self_intersections,
     project::Projection,
     stage::Stage,
     tube::{ScreenTube, Stroke},
 };
 
-/// Radius of silhouettes in pixels at 1080p. The surface hides the inner half.
-const SILHOUETTE: f32 = 2.2;
 /// How far silhouettes lie behind their edges, as a share of the edge's length: deeper than the zigzags of
 /// the mesh, so that these stay hidden.
 const OUTLINE_SINK: f32 = 0.6;
-/// Radius of boundary edges.
-const BOUNDARY: f32 = 1.2;
-/// Radius of self-intersections.
-const INTERSECTION: f32 = 1.2;
-/// Radius of rims.
-const RIM: f32 = 4.0;
-/// Radius of pinch points.
-const PINCH: f32 = 8.0;
-
 /// The lines of a picture, in a fixed order: silhouettes, boundary, self-intersections, rims, pinch points.
-pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, output: &Output) -> Vec<ScreenTube> {
+pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, lines: &Lines, output: &Output) -> Vec<ScreenTube> {
     let projection = Projection::new(camera, output);
-    let tube = |ends: [DVec3; 2], radius: f32, stroke: Stroke| {
-        if !ends.iter().all(|end| end.is_finite()) {
+    let tube = |ends: [DVec3; 2], width: f32, stroke: Stroke| {
+        let radius = width / 2.0;
+        if width == 0.0 || !ends.iter().all(|end| end.is_finite()) {
             return None;
         }
         let tube = ScreenTube::new(projection.segment(ends)?, output.line_pixels(radius), stroke, camera, output);
@@ -41,14 +31,15 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, output: &Output)
         let ends = edge(ends);
         let depth = projection.pixel(projection.clip(ends[0])).z;
         let length = ends[0].distance(ends[1]) / camera.pixel_size(depth, output);
-        let sink = output.line_pixels(SILHOUETTE) + OUTLINE_SINK * length as f32;
-        tube(ends, SILHOUETTE, Stroke::Outline { sink })
+        let sink = output.line_pixels(lines.silhouette) + OUTLINE_SINK * length as f32;
+        tube(ends, 2.0 * lines.silhouette, Stroke::Outline { sink })
     });
-    let boundary = scenery.boundary.iter().filter_map(|&ends| tube(edge(ends), BOUNDARY, Stroke::Line));
+    let boundary = scenery.boundary.iter().filter_map(|&ends| tube(edge(ends), lines.boundary, Stroke::Line));
     let double = self_intersections(&stage.faces, scenery.positions);
-    let double = double.iter().filter_map(|&ends| tube(ends, INTERSECTION, Stroke::Line));
-    let rims = scenery.rims.iter().filter_map(|&ends| tube(edge(ends), RIM, Stroke::Raised));
-    let pinches = scenery.pinch_points.iter().filter_map(|&vertex| tube(edge([vertex; 2]), PINCH, Stroke::Raised));
+    let double = double.iter().filter_map(|&ends| tube(ends, lines.intersection, Stroke::Line));
+    let rims = scenery.rims.iter().filter_map(|&ends| tube(edge(ends), lines.rim, Stroke::Raised));
+    let pinches =
+        scenery.pinch_points.iter().filter_map(|&vertex| tube(edge([vertex; 2]), lines.pinch, Stroke::Raised));
     silhouettes.chain(boundary).chain(double).chain(rims).chain(pinches).collect()
 }
 

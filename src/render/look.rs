@@ -1,155 +1,230 @@
-use glam::{Vec3, Vec3A};
+use glam::Vec3;
 
-use super::{RenderError, color::linear_from_srgb};
-use crate::scene::{LightSection, LookSection};
+use super::{ColorMap, RenderError, color::linear_from_srgb};
+use crate::scene::{LookSection, MaterialName, PatternKind};
 
 /// Colours, material and lines. Colours are linear light. The default is the studio look: a
 /// two-coloured clay on a warm white ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Look {
-    /// The side the normal points from.
-    pub front: Vec3,
-    /// The other side.
-    pub back: Vec3,
-    /// Behind the surface.
-    pub background: Vec3,
+    /// What gives the surface its colour.
+    pub paint: Paint,
+    /// How it answers light.
+    pub material: Material,
+    /// Opacity of front and back where they are seen face-on, 0 to 1.
+    pub opacity: [f32; 2],
+    /// Opacity where the surface is seen edge-on, 0 to 1.
+    pub edge_opacity: f32,
+    /// Runs along the fields of [`Scenery::along`](super::Scenery).
+    pub pattern: Option<Pattern>,
+    /// The surface is left out where it lies beyond this plane of the world.
+    pub cut: Option<Plane>,
+    /// Behind the surface, at the upper and the lower end of the picture.
+    pub background: [Vec3; 2],
     /// Ambient light from above.
     pub sky: Vec3,
     /// Ambient light from below.
     pub ground: Vec3,
     /// How far occluders darken the ambient light, as a share of the framed radius; 0 turns it off.
     pub occlusion_reach: f32,
-    /// Strength of the highlights, 1 for the studio's.
-    pub gloss: f32,
+    /// How much of that darkening is shown, 0 to 1.
+    pub occlusion: f32,
+    /// Whether lights cast shadows.
+    pub shadows: bool,
+    /// Strength of the shadow on the ground below the surface, 0 for no ground.
+    pub ground_shadow: f32,
     /// How much grazing views are darkened, 0 to 1, so that the outline reads on a light ground.
     pub rim_darkening: f32,
     /// Strength of the mesh edges, 0 to 1.
     pub wireframe: f32,
-    /// Whether silhouettes, boundary and rims are drawn.
-    pub lines: bool,
-    /// Silhouettes and boundary.
-    pub line: Vec3,
+    /// Lines.
+    pub lines: Lines,
+}
+
+/// What gives the surface its colour.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Paint {
+    /// Front (the side the normal points from) and back.
+    Sides([Vec3; 2]),
+    /// The field [`Scenery::color`](super::Scenery), from the least to the greatest shown value.
+    Map {
+        /// The colours.
+        map: ColorMap,
+        /// Values at its ends.
+        range: [f32; 2],
+    },
+}
+
+/// How the surface answers light.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Material {
+    /// Diffuse with a soft and a sharp highlight of this strength, 1 for the studio's.
+    Studio {
+        /// Strength of highlights.
+        gloss: f32,
+    },
+    /// Microfacets (GGX) over a diffuse base.
+    Pbr {
+        /// 0 for a mirror, 1 for chalk.
+        roughness: f32,
+        /// 0 for plastic, 1 for metal.
+        metallic: f32,
+    },
+    /// Light in so many steps.
+    Toon {
+        /// Number of steps.
+        steps: u32,
+    },
+    /// Light by the normal alone, from a picture of a sphere.
+    Matcap(Matcap),
+    /// The colour itself.
+    Flat,
+}
+
+/// A square picture of a lit sphere in linear light, rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Matcap {
+    /// Pixels along a side.
+    pub side: usize,
+    /// side² colours.
+    pub pixels: Vec<Vec3>,
+}
+
+/// A periodic pattern.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pattern {
+    /// What is drawn.
+    pub kind: PatternKind,
+    /// Width of a period along each of the two fields, in their units.
+    pub periods: [f32; 2],
+    /// Share of a period that is see-through (bands), dark (checker) or a line (grid, iso-lines).
+    pub gap: f32,
+}
+
+/// The points x with normal · x = offset; beyond it, normal · x is larger.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// Unit normal in world space.
+    pub normal: glam::DVec3,
+    /// Distance from the origin.
+    pub offset: f64,
+}
+
+/// Widths of lines in pixels of a picture of 1920 x 1080; 0 draws none.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lines {
+    /// All but rims and pins.
+    pub color: Vec3,
     /// Rims and pinch points.
-    pub rim: Vec3,
+    pub rim_color: Vec3,
+    /// Pins.
+    pub pin_color: Vec3,
+    /// Outlines.
+    pub silhouette: f32,
+    /// Edges bent by more than [`Lines::crease_angle`].
+    pub crease: f32,
+    /// Radians.
+    pub crease_angle: f32,
+    /// Ends of the surface.
+    pub boundary: f32,
+    /// Curves where the surface passes through itself.
+    pub intersection: f32,
+    /// Edges where the surface folds over.
+    pub rim: f32,
+    /// Vertices whose star is a figure-eight.
+    pub pinch: f32,
+    /// Vertices that are held.
+    pub pin: f32,
+    /// Whether lines far away are thinner; widths are then those at the middle of what is framed.
+    pub perspective: bool,
+}
+
+impl Lines {
+    /// No lines at all.
+    pub const NONE: Lines = Lines {
+        color: Vec3::ZERO,
+        rim_color: Vec3::ZERO,
+        pin_color: Vec3::ZERO,
+        silhouette: 0.0,
+        crease: 0.0,
+        crease_angle: 0.7,
+        boundary: 0.0,
+        intersection: 0.0,
+        rim: 0.0,
+        pinch: 0.0,
+        pin: 0.0,
+        perspective: false,
+    };
 }
 
 impl Look {
-    /// The look a scene asks for.
+    /// The look a scene asks for: a preset and what differs from it. Fields, patterns and cuts that depend on
+    /// the surface are added by the caller.
     ///
     /// # Errors
     /// [`RenderError::Wireframe`] if the strength is not between 0 and 1.
     pub fn from_scene(section: &LookSection) -> Result<Self, RenderError> {
-        if !(0.0..=1.0).contains(&section.wireframe) {
-            return Err(RenderError::Wireframe(section.wireframe));
+        let mut look = Self::default();
+        if let Some(wireframe) = section.wireframe {
+            if !(0.0..=1.0).contains(&wireframe) {
+                return Err(RenderError::Wireframe(wireframe));
+            }
+            look.wireframe = wireframe as f32;
         }
-        Ok(Self {
-            front: linear_from_srgb(section.front),
-            back: linear_from_srgb(section.back),
-            background: linear_from_srgb(section.background),
-            wireframe: section.wireframe as f32,
-            lines: section.lines,
-            ..Self::default()
-        })
+        if let Paint::Sides([front, back]) = &mut look.paint {
+            *front = section.front.map_or(*front, linear_from_srgb);
+            *back = section.back.map_or(*back, linear_from_srgb);
+        }
+        if let Some(background) = section.background {
+            look.background = [linear_from_srgb(background); 2];
+        }
+        if section.lines == Some(false) {
+            look.lines = Lines::NONE;
+        }
+        if section.material == Some(MaterialName::Flat) {
+            look.material = Material::Flat;
+        }
+        Ok(look)
+    }
+
+    /// Whether all of the surface is opaque.
+    pub fn is_opaque(&self) -> bool {
+        self.opacity == [1.0; 2]
     }
 }
 
 impl Default for Look {
     fn default() -> Self {
-        let section = LookSection::default();
         Self {
-            front: linear_from_srgb(section.front),
-            back: linear_from_srgb(section.back),
-            background: linear_from_srgb(section.background),
+            paint: Paint::Sides([linear_from_srgb([0xE0, 0x82, 0x3D]), linear_from_srgb([0x3E, 0x7C, 0xB8])]),
+            material: Material::Studio { gloss: 1.0 },
+            opacity: [1.0; 2],
+            edge_opacity: 1.0,
+            pattern: None,
+            cut: None,
+            background: [linear_from_srgb([0xF4, 0xF3, 0xF0]); 2],
             sky: Vec3::new(0.30, 0.33, 0.38),
             ground: Vec3::new(0.20, 0.18, 0.16),
             occlusion_reach: 0.45,
-            gloss: 1.0,
+            occlusion: 1.0,
+            shadows: true,
+            ground_shadow: 0.0,
             rim_darkening: 0.55,
             wireframe: 0.0,
-            lines: true,
-            line: linear_from_srgb([0x2B, 0x23, 0x20]),
-            rim: linear_from_srgb([0xB0, 0x12, 0x2E]),
+            lines: Lines {
+                color: linear_from_srgb([0x2B, 0x23, 0x20]),
+                rim_color: linear_from_srgb([0xB0, 0x12, 0x2E]),
+                pin_color: linear_from_srgb([0x1E, 0x1B, 0x1A]),
+                silhouette: 2.2,
+                crease: 0.0,
+                crease_angle: 0.7,
+                boundary: 2.4,
+                intersection: 2.4,
+                rim: 8.0,
+                pinch: 16.0,
+                pin: 0.0,
+                perspective: false,
+            },
         }
-    }
-}
-
-/// A directional light in view space.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Light {
-    /// Unit vector toward the light; x right, y up, z toward the eye.
-    pub direction: Vec3A,
-    /// Linear colour times strength.
-    pub color: Vec3,
-    /// How far the light reaches around the terminator, 0 (hard) to 1.
-    pub wrap: f32,
-    /// Whether it casts soft shadows.
-    pub shadow: bool,
-}
-
-/// All directional lights.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Lights(pub Vec<Light>);
-
-impl Lights {
-    /// The lights a scene asks for; none means the studio's.
-    ///
-    /// # Errors
-    /// [`RenderError::Light`] on a direction without length or a colour that is negative or not finite.
-    pub fn from_scene(sections: &[LightSection]) -> Result<Self, RenderError> {
-        if sections.is_empty() {
-            return Ok(Self::default());
-        }
-        let lights = sections.iter().enumerate().map(|(index, section)| light_from_scene(index + 1, section));
-        Ok(Self(lights.collect::<Result<_, _>>()?))
-    }
-}
-
-fn light_from_scene(index: usize, section: &LightSection) -> Result<Light, RenderError> {
-    let direction =
-        Vec3A::from_array(section.direction.map(|value| value as f32)).try_normalize().ok_or(RenderError::Light {
-            index,
-            key: "direction",
-            reason: "has no direction",
-            remedy: "write a vector toward the light in view space, like [-0.5, 0.6, 0.6]",
-        })?;
-    if !section.color.iter().all(|&value| value >= 0.0 && value.is_finite()) {
-        return Err(RenderError::Light {
-            index,
-            key: "color",
-            reason: "has a negative or non-finite part",
-            remedy: "write linear red, green and blue like [0.8, 0.78, 0.74]",
-        });
-    }
-    let color = Vec3::from_array(section.color.map(|value| value as f32));
-    Ok(Light { direction, color, wrap: if section.shadow { KEY_WRAP } else { FILL_WRAP }, shadow: section.shadow })
-}
-
-const KEY_WRAP: f32 = 0.2;
-const FILL_WRAP: f32 = 0.3;
-
-impl Default for Lights {
-    /// The studio: a warm key from the upper left with soft shadows, a cool fill from the right, and a faint
-    /// warm kicker from below, so that undersides keep their shape.
-    fn default() -> Self {
-        Self(vec![
-            Light {
-                direction: Vec3A::new(-0.55, 0.65, 0.55).normalize(),
-                color: Vec3::new(1.0, 0.97, 0.92) * 0.80,
-                wrap: KEY_WRAP,
-                shadow: true,
-            },
-            Light {
-                direction: Vec3A::new(0.85, 0.10, 0.35).normalize(),
-                color: Vec3::new(0.80, 0.88, 1.0) * 0.12,
-                wrap: FILL_WRAP,
-                shadow: false,
-            },
-            Light {
-                direction: Vec3A::new(0.30, -0.80, 0.35).normalize(),
-                color: Vec3::new(1.0, 0.90, 0.80) * 0.09,
-                wrap: FILL_WRAP,
-                shadow: false,
-            },
-        ])
     }
 }

@@ -19,13 +19,14 @@ impl Film {
     pub fn write_exr(&self, path: &Path) -> Result<(), RenderError> {
         let color =
             |axis: usize| FlatSamples::F16(self.beauty.iter().map(|light| f16::from_f32(light[axis])).collect());
-        let normal = |axis: usize| FlatSamples::F32(self.normals.iter().map(|normal| normal[axis]).collect());
+        let layers = self.layers.clone().unwrap_or_default();
+        let normal = |axis: usize| FlatSamples::F32(layers.normals.iter().map(|normal| normal[axis]).collect());
         let channels: SmallVec<[AnyChannel<FlatSamples>; 4]> = [
             ("R", color(0)),
             ("G", color(1)),
             ("B", color(2)),
             ("A", color(3)),
-            ("Z", FlatSamples::F32(self.depth.clone())),
+            ("Z", FlatSamples::F32(layers.depth.clone())),
             ("N.X", normal(0)),
             ("N.Y", normal(1)),
             ("N.Z", normal(2)),

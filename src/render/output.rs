@@ -7,6 +7,7 @@ pub struct Output {
     width: usize,
     height: usize,
     samples: usize,
+    layers: bool,
 }
 
 impl Output {
@@ -25,7 +26,7 @@ impl Output {
         if ![1, 4, 8, 16].contains(&samples) {
             return Err(RenderError::Samples(samples));
         }
-        Ok(Self { width, height, samples })
+        Ok(Self { width, height, samples, layers: false })
     }
 
     /// The picture a scene asks for.
@@ -33,7 +34,17 @@ impl Output {
     /// # Errors
     /// As [`Output::new`].
     pub fn from_scene(section: &OutputSection) -> Result<Self, RenderError> {
-        Self::new(section.size[0], section.size[1], section.samples)
+        Ok(Self::new(section.size[0], section.size[1], section.samples)?.with_layers(section.exr))
+    }
+
+    /// The same with or without the layers of the film.
+    pub fn with_layers(self, layers: bool) -> Self {
+        Self { layers, ..self }
+    }
+
+    /// Whether the film has [`Layers`](super::Layers).
+    pub fn has_layers(&self) -> bool {
+        self.layers
     }
 
     /// Pixels across.

@@ -3,8 +3,7 @@
 use glam::{Vec2, Vec3, Vec3A};
 
 use super::{
-    Camera, Light, Lights, Look, Output,
-    color::tone_mapped,
+    Camera, Light, Lights, Look, Material, Output, Paint,
     stage::Stage,
     tube::{ScreenTube, Stroke},
     visibility::{Shade, Visibility, side_normal},
@@ -23,8 +22,10 @@ pub struct Shader<'a> {
 /// Result of shading.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Shaded {
-    /// Linear light after the tone curve.
+    /// Linear light, before the tone curve, not multiplied by the opacity.
     pub color: Vec3,
+    /// Share of what is behind that it hides.
+    pub opacity: f32,
     /// Unit normal in view space, on the front of the surface.
     pub normal: Vec3A,
 }
@@ -48,7 +49,7 @@ impl Shader<'_> {
         let normal = turned_to_eye(mix(normals).try_normalize().unwrap_or(flat), flat, toward_eye);
         let point = raised(mix(points), points, normals, weights);
 
-        let albedo = if side == 0 { self.look.front } else { self.look.back };
+        let albedo = self.albedo(side);
         let sky = (0..3).map(|k| self.visibility.sky(side, corners[k]) * weights[k]).sum::<f32>();
         let seen = |index: usize, light: &Light| match self.visibility.shade(index, face) {
             Shade::Lit => 1.0,
@@ -57,17 +58,28 @@ impl Shader<'_> {
         };
         let color = self.lit(albedo, normal, toward_eye, sky, seen);
         let color = if self.look.wireframe > 0.0 { self.with_wires(color, corners, at) } else { color };
-        Shaded { color: tone_mapped(color), normal: side_normal(normal, side) }
+        Shaded { color, opacity: 1.0, normal: side_normal(normal, side) }
     }
 
     /// Shades a line at a place in pixels.
     pub fn tube(&self, tube: &ScreenTube, at: [f32; 2]) -> Shaded {
         let normal = tube.normal_at(at);
         let color = match tube.stroke {
-            Stroke::Outline { .. } | Stroke::Line => self.look.line,
-            Stroke::Raised => self.lit(self.look.rim, normal, Vec3A::Z, 1.0, |_, _| 1.0),
+            Stroke::Outline { .. } | Stroke::Line => self.look.lines.color,
+            Stroke::Raised => self.lit(self.look.lines.rim_color, normal, Vec3A::Z, 1.0, |_, _| 1.0),
         };
-        Shaded { color: tone_mapped(color), normal }
+        Shaded { color, opacity: 1.0, normal }
+    }
+
+    fn albedo(&self, side: usize) -> Vec3 {
+        match self.look.paint {
+            Paint::Sides(colors) => colors[side],
+            Paint::Map { map, .. } => map.at(0.5),
+        }
+    }
+
+    fn gloss(&self) -> f32 {
+        if let Material::Studio { gloss } = self.look.material { gloss } else { 0.0 }
     }
 
     /// Light leaving a surface point. `seen` is the share of a light that reaches it.
@@ -93,7 +105,7 @@ impl Shader<'_> {
             if light.shadow && cosine > 0.0 {
                 let halfway = normal.dot((light.direction + toward_eye).normalize_or_zero()).max(0.0);
                 let fade = (cosine * 4.0).min(1.0);
-                specular += light.color * (self.look.gloss * highlight(halfway) * share * fade);
+                specular += light.color * (self.gloss() * highlight(halfway) * share * fade);
             }
         }
         let grazing = 1.0 - normal.dot(toward_eye).clamp(0.0, 1.0);
@@ -101,7 +113,7 @@ impl Shader<'_> {
     }
 
     /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
-    fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
+    pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
         let x = 2.0 * f64::from(at[0]) / self.output.width() as f64 - 1.0;
         let y = 1.0 - 2.0 * f64::from(at[1]) / self.output.height() as f64;
         let (origin, direction) = self.camera.view_ray(x, y);
@@ -134,7 +146,7 @@ impl Shader<'_> {
                 if cover.is_finite() { cover } else { 0.0 }
             })
             .fold(0.0, f32::max);
-        color.lerp(self.look.line, cover * self.look.wireframe)
+        color.lerp(self.look.lines.color, cover * self.look.wireframe)
     }
 }
 

@@ -9,8 +9,10 @@ use super::{Camera, Output, Scenery, project::Projection};
 /// what the camera frames, and the framed radius as the unit of length.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// Triangles with finite corners and an area.
+    /// Shown triangles with finite corners and an area.
     pub faces: Vec<[u32; 3]>,
+    /// Which triangle of the scenery each of them is.
+    pub triangles: Vec<u32>,
     /// One per vertex; those of vertices without a face mean nothing.
     pub positions: Vec<Vec3A>,
     /// Unit normals, angle-weighted.
@@ -49,7 +51,14 @@ impl Stage {
             [a, b, c].iter().all(|corner| corner.is_finite() && corner.abs().max_element() < FARTHEST)
                 && (b - a).cross(c - a).length() > THINNEST * longest
         };
-        let faces: Vec<[u32; 3]> = scenery.triangles.par_iter().copied().filter(usable).collect();
+        let shown = |triangle: &usize| scenery.shown.get(*triangle).copied().unwrap_or(true);
+        let candidates = (0..scenery.triangles.len()).into_par_iter().filter(shown);
+        let hidden = scenery.shown.iter().filter(|shown| !**shown).count();
+        let triangles: Vec<u32> = candidates
+            .filter(|&triangle| usable(&scenery.triangles[triangle]))
+            .map(|triangle| triangle as u32)
+            .collect();
+        let faces: Vec<[u32; 3]> = triangles.iter().map(|&triangle| scenery.triangles[triangle as usize]).collect();
 
         let (eye, sight) = camera.view_ray(0.0, 0.0);
         let perspective = camera.is_perspective();
@@ -80,7 +89,8 @@ impl Stage {
             pixels: pixels.collect(),
             face_normals: face_normals.iter().map(|normal| normal.as_vec3a()).collect(),
             shows_front,
-            skipped: scenery.triangles.len() - faces.len(),
+            skipped: scenery.triangles.len() - hidden - faces.len(),
+            triangles,
             faces,
             center,
             radius,

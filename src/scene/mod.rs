@@ -13,9 +13,11 @@
 mod data;
 mod error;
 mod file;
+mod look_section;
 mod metric_section;
 mod motion_sections;
 mod number;
+mod picture_sections;
 mod schema;
 mod sections;
 mod shapes;

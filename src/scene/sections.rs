@@ -1,13 +1,12 @@
 //! The sections of a scene, one function each: its keys, what they may be, and their defaults.
 
 use super::data::*;
+use super::look_section::look;
 use super::metric_section::metric;
 use super::motion_sections::{bending, binary_digits, clock, pin, spin, start};
+use super::picture_sections::{camera, light, output};
 use super::shapes::mesh;
 use super::table::Table;
-use super::value::{Color, Formats};
-
-const MAX_PIXELS: f64 = 16_384.0;
 
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
@@ -96,70 +95,6 @@ fn phase(table: &mut Table) -> PhaseSection {
         table.complain("min_steps", reason, format!("write at most {most}, or raise `max_steps`"));
     }
     phase
-}
-
-fn camera(table: &mut Table) -> CameraSection {
-    let camera = CameraSection {
-        direction: table
-            .key("direction", "From the surface to the eye; left out, the best view along the principal axes.")
-            .optional([1.0, 0.5, 2.0]),
-        up: table.key("up", "Up in the picture.").optional([0.0, 1.0, 0.0]),
-        field_of_view: table
-            .key("field_of_view", "Vertical, in degrees; 0 is orthographic.")
-            .at_least(0.0)
-            .below(180.0)
-            .optional(30.0),
-        fill: table.key("fill", "Share of the picture the surface fills.").above(0.0).at_most(1.0).optional(0.8),
-    };
-    not_zero(table, "direction", camera.direction);
-    not_zero(table, "up", camera.up);
-    camera
-}
-
-fn not_zero(table: &Table, name: &str, vector: Option<[f64; 3]>) {
-    if vector == Some([0.0; 3]) {
-        let reason = format!("`{name}` is the zero vector, which points nowhere");
-        table.complain(name, reason, format!("write for example {name} = [0, 1, 0]"));
-    }
-}
-
-fn light(table: &mut Table) -> LightSection {
-    let light = LightSection {
-        direction: table
-            .key("direction", "Toward the light; x right, y up, z toward the eye.")
-            .required([-0.5, 1.0, 1.0]),
-        color: table.key("color", "Linear colour times strength.").at_least(0.0).or([1.0; 3]),
-        shadow: table.key("shadow", "Whether it casts shadows.").or(true),
-    };
-    not_zero(table, "direction", Some(light.direction));
-    light
-}
-
-fn look(table: &mut Table) -> LookSection {
-    let default = LookSection::default();
-    LookSection {
-        front: table.key("front", "Colour of the side the normal points from.").or(Color(default.front)).0,
-        back: table.key("back", "Colour of the other side.").or(Color(default.back)).0,
-        background: table.key("background", "Colour behind the surface.").or(Color(default.background)).0,
-        wireframe: table
-            .key("wireframe", "Strength of the mesh edges.")
-            .at_least(0.0)
-            .at_most(1.0)
-            .or(default.wireframe),
-        lines: table.key("lines", "Whether silhouettes, boundary and rims are drawn.").or(default.lines),
-    }
-}
-
-fn output(table: &mut Table) -> OutputSection {
-    let default = OutputSection::default();
-    let size = table.key("size", "Width and height in pixels.").at_least(1.0).at_most(MAX_PIXELS).or(default.size);
-    let samples = table.key("samples", "Samples per pixel: 1, 4, 8 or 16.").or(default.samples);
-    if ![1, 4, 8, 16].contains(&samples) {
-        table.complain("samples", format!("`samples` is {samples}, it must be 1, 4, 8 or 16"), "write samples = 8");
-    }
-    let formats = Formats { png: default.png, exr: default.exr };
-    let Formats { png, exr } = table.key("format", "Picture formats: \"png\", \"exr\" or both in a list.").or(formats);
-    OutputSection { size, samples, png, exr }
 }
 
 fn checks(table: &mut Table) -> ChecksSection {

@@ -143,6 +143,42 @@ impl<'a> Table<'a> {
         index.map(|index| of[index].1.clone())
     }
 
+    /// Reads one of several names, or a list of them.
+    pub(super) fn choices<T: Copy + PartialEq>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        of: &[(&'static str, T)],
+        default: &[T],
+    ) -> Vec<T> {
+        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
+        let kind = Kind::OneOrMore(names.clone());
+        let entries = self.entry(name).map(|(_, value)| match value.get_ref() {
+            DeValue::Array(list) if !list.is_empty() || default.is_empty() => list.iter().collect(),
+            _ => vec![value],
+        });
+        let chosen =
+            entries.map(|entries| entries.into_iter().filter_map(|entry| self.one_of(name, entry, of)).collect());
+        let usual: Vec<&str> = of.iter().filter(|(_, value)| default.contains(value)).map(|(name, _)| *name).collect();
+        self.fields.push(Field { name, doc, kind, default: Some(usual.into()), required: false });
+        chosen.unwrap_or_else(|| default.to_vec())
+    }
+
+    fn one_of<T: Copy>(&self, name: &str, entry: &Spanned<DeValue>, of: &[(&'static str, T)]) -> Option<T> {
+        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
+        let Some(text) = entry.get_ref().as_str() else {
+            let kind = Kind::OneOrMore(names.clone()).sentence();
+            let reason = format!("`{name}` is {}, it must be {kind}", shown(entry.get_ref()));
+            self.report(entry.span(), reason, format!("write for example {name} = [\"{}\"]", names[0]));
+            return None;
+        };
+        let found = of.iter().find(|(candidate, _)| *candidate == text);
+        if found.is_none() {
+            self.report(entry.span(), format!("there is no {name} `{text}`"), suggestion("names", text, &names));
+        }
+        found.map(|(_, value)| *value)
+    }
+
     /// Reads a name that decides which other keys this table has.
     pub(super) fn variants<T>(&mut self, name: &'static str, doc: &'static str, of: &[NamedReader<T>]) -> Option<T> {
         let names: Vec<&'static str> = of.iter().map(|(name, ..)| *name).collect();

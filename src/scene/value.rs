@@ -6,8 +6,6 @@ use serde_json::Value as Json;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::spelling::suggestion;
-
 /// A mistake before it is known in which file and line it stands.
 pub(super) struct Problem {
     pub span: Range<usize>,
@@ -260,48 +258,6 @@ impl Value for Color {
     fn json(&self) -> Json {
         let [red, green, blue] = self.0;
         format!("#{red:02X}{green:02X}{blue:02X}").into()
-    }
-}
-
-/// The picture formats: one name or a list of names.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Formats {
-    pub png: bool,
-    pub exr: bool,
-}
-
-impl Value for Formats {
-    fn kind(_: Bounds) -> Kind {
-        Kind::OneOrMore(vec!["png", "exr"])
-    }
-
-    fn read(name: &str, value: &Spanned<DeValue>, bounds: Bounds, example: &str) -> Result<Formats, Problem> {
-        let list = match value.get_ref() {
-            DeValue::Array(list) if !list.is_empty() => list.iter().collect(),
-            DeValue::String(_) => vec![value],
-            _ => return Err(mismatch::<Formats>(name, value, bounds, example)),
-        };
-        let mut formats = Formats { png: false, exr: false };
-        for entry in list {
-            match entry.get_ref().as_str() {
-                Some("png") => formats.png = true,
-                Some("exr") => formats.exr = true,
-                Some(other) => {
-                    return Err(Problem {
-                        span: entry.span(),
-                        reason: format!("there is no format `{other}`"),
-                        remedy: suggestion("formats", other, &["png", "exr"]),
-                    });
-                }
-                None => return Err(mismatch::<Formats>(name, entry, bounds, example)),
-            }
-        }
-        Ok(formats)
-    }
-
-    fn json(&self) -> Json {
-        let chosen = [("png", self.png), ("exr", self.exr)];
-        chosen.iter().filter(|(_, on)| *on).map(|(name, _)| *name).collect::<Vec<_>>().into()
     }
 }
 

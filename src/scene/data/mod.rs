@@ -8,6 +8,7 @@ use std::path::PathBuf;
 use super::Source;
 
 mod checks;
+mod look;
 mod mesh;
 mod metric;
 mod motion;
@@ -16,6 +17,7 @@ mod picture;
 mod time;
 
 pub use checks::*;
+pub use look::*;
 pub use mesh::*;
 pub use metric::*;
 pub use motion::*;

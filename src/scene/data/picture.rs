@@ -1,7 +1,9 @@
-//! Camera, lights, look and output.
+//! Camera, lights and output.
+
+use super::Ease;
 
 /// `[camera]`: everything left out frames the surface by itself.
-#[derive(Clone, Debug, PartialEq, Default)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CameraSection {
     /// Direction from the surface to the eye; left out, the best view along the principal axes.
     pub direction: Option<[f64; 3]>,
@@ -11,6 +13,50 @@ pub struct CameraSection {
     pub field_of_view: Option<f64>,
     /// Share of the picture the surface fills, 0 to 1.
     pub fill: Option<f64>,
+    /// What is in the middle of the picture; left out, the middle of the surface over the whole film.
+    pub target: Option<[f64; 3]>,
+    /// Degrees that the eye goes round `up` from the first frame to one past the last.
+    pub turntable: f64,
+    /// Places of the eye at some times; left out values are those above.
+    pub keys: Vec<CameraKeySection>,
+    /// How the eye moves from key to key.
+    pub ease: Ease,
+    /// Share of the time between two frames for which the shutter is open; 0 is no motion blur.
+    pub shutter: f64,
+    /// Pictures that are averaged into one while the shutter is open.
+    pub shutter_samples: usize,
+}
+
+impl Default for CameraSection {
+    fn default() -> Self {
+        Self {
+            direction: None,
+            up: None,
+            field_of_view: None,
+            fill: None,
+            target: None,
+            turntable: 0.0,
+            keys: Vec::new(),
+            ease: Ease::default(),
+            shutter: 0.0,
+            shutter_samples: 8,
+        }
+    }
+}
+
+/// `[[camera.key]]`
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct CameraKeySection {
+    /// When, in the units of the clock.
+    pub time: f64,
+    /// Degrees round `up` from the direction of the film (orbit).
+    pub orbit: f64,
+    /// Degrees up from it.
+    pub rise: f64,
+    /// Factor on the distance (perspective) or the height (orthographic) of the picture (dolly).
+    pub dolly: f64,
+    /// What is in the middle of the picture then.
+    pub target: Option<[f64; 3]>,
 }
 
 /// `[[light]]`: a directional light in view space.
@@ -24,33 +70,6 @@ pub struct LightSection {
     pub shadow: bool,
 }
 
-/// `[look]`
-#[derive(Clone, Debug, PartialEq)]
-pub struct LookSection {
-    /// sRGB of the side the normal points from.
-    pub front: [u8; 3],
-    /// sRGB of the other side.
-    pub back: [u8; 3],
-    /// sRGB behind the surface.
-    pub background: [u8; 3],
-    /// Strength of the mesh edges, 0 to 1.
-    pub wireframe: f64,
-    /// Whether silhouettes, boundary and rims are drawn.
-    pub lines: bool,
-}
-
-impl Default for LookSection {
-    fn default() -> Self {
-        Self {
-            front: [0xE0, 0x82, 0x3D],
-            back: [0x3E, 0x7C, 0xB8],
-            background: [0xF4, 0xF3, 0xF0],
-            wireframe: 0.0,
-            lines: true,
-        }
-    }
-}
-
 /// `[output]`
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputSection {
@@ -62,10 +81,63 @@ pub struct OutputSection {
     pub png: bool,
     /// EXR pictures.
     pub exr: bool,
+    /// Bits per channel of PNG pictures: 8 or 16.
+    pub depth: usize,
+    /// The part of the picture that is made, in pixels from the upper left corner: x, y, width, height.
+    pub crop: Option<[usize; 4]>,
+    /// A moving picture of the whole film beside the frames.
+    pub animation: Vec<AnimationFormat>,
+    /// Frames a second of moving pictures.
+    pub frame_rate: f64,
+    /// A contact sheet of so many frames beside the frames; 0 is none.
+    pub sheet: usize,
+    /// Fields of which every EXR picture has a layer.
+    pub fields: Vec<FieldName>,
+}
+
+/// Files that show a whole film.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AnimationFormat {
+    /// 256 colours a frame.
+    Gif,
+    /// Animated PNG.
+    Apng,
+    /// H.264; needs the feature `mp4`.
+    Mp4,
+}
+
+/// Quantities of a frame that can be shown as colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldName {
+    /// Relative error of the lengths around a face, root mean square.
+    LengthError,
+    /// Gaussian curvature of the metric asked for: angle defect over area, per vertex.
+    GaussianCurvature,
+    /// Mean curvature of the surface, per vertex.
+    MeanCurvature,
+    /// Logarithm of the scale of the metric against that of the first frame, per vertex.
+    ConformalFactor,
+    /// Energy per area of the frame field (Eq. 21), per face.
+    EnergyDensity,
+    /// Angle between a face and its neighbours, root mean square, in degrees.
+    BendingAngle,
+    /// Strips of the generators, numbered from 1, per face.
+    Generators,
 }
 
 impl Default for OutputSection {
     fn default() -> Self {
-        Self { size: [1280, 960], samples: 8, png: true, exr: false }
+        Self {
+            size: [1280, 960],
+            samples: 8,
+            png: true,
+            exr: false,
+            depth: 8,
+            crop: None,
+            animation: Vec::new(),
+            frame_rate: 24.0,
+            sheet: 0,
+            fields: Vec::new(),
+        }
     }
 }
