@@ -150,7 +150,8 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let (positions, triangles) = torus(64, 24);
-    let look = Look::from_scene(&LookSection { wireframe: Some(0.3), ..LookSection::default() }).expect("a look");
+    let look =
+        Look::from_scene(&LookSection { wireframe: Some(0.3), ..LookSection::default() }, "".as_ref()).expect("a look");
     let output = Output::new(200, 150, 4).expect("a size");
     let pictures: Vec<Film> = [1, 2, 4]
         .map(|threads| {
@@ -291,10 +292,10 @@ fn impossible_values_of_a_scene_are_refused_with_a_remedy() {
         (message(Lights::from_scene(&[light]).expect_err("no direction")), "write a vector"),
         (
             message(
-                Look::from_scene(&LookSection { wireframe: Some(f64::NAN), ..Default::default() })
+                Look::from_scene(&LookSection { wireframe: Some(f64::NAN), ..Default::default() }, "".as_ref())
                     .expect_err("not a number"),
             ),
-            "write 0.3",
+            "write 0 for none",
         ),
         (
             message(Output::from_scene(&OutputSection { samples: 3, ..Default::default() }).expect_err("three")),

@@ -18,7 +18,7 @@ fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
     assert_eq!(at("/properties/clock/properties/frames/maximum"), 999_999.0);
     assert_eq!(at("/properties/phase/items/properties/dt/exclusiveMinimum"), 0.0);
     assert_eq!(at("/properties/phase/items/properties/epsilon/minItems"), 4);
-    assert_eq!(at("/properties/look/properties/front/default"), "#E0823D");
+    assert_eq!(at("/properties/output/properties/samples/default"), 8);
     assert_eq!(at("/properties/light/items/required/0"), "direction");
     assert_eq!(at("/properties/parameters/additionalProperties/anyOf/2/required/0"), "times");
     assert_eq!(at("/additionalProperties"), false);

@@ -218,7 +218,7 @@ struct Picture {
 impl Picture {
     fn of(scene: &Scene) -> Result<Picture, RenderError> {
         Ok(Picture {
-            look: Look::from_scene(&scene.look)?,
+            look: Look::from_scene(&scene.look, &scene.folder)?,
             lights: Lights::from_scene(&scene.lights)?,
             output: Output::from_scene(&scene.output)?,
         })
@@ -273,6 +273,10 @@ pub(super) fn render_frames(
             rims: &rims,
             boundary: &boundary,
             pinch_points: &pinch_points,
+            ground: Some(crate::render::Plane {
+                normal: glam::DVec3::Z,
+                offset: state.positions.iter().map(|p| p.z).fold(f64::MAX, f64::min),
+            }),
             ..Scenery::default()
         };
         let film = render(&scenery, &camera, &lights, &look, &output)?;

@@ -54,9 +54,22 @@ pub enum RenderError {
         /// What to write instead.
         remedy: &'static str,
     },
-    /// `wireframe` is out of range.
-    #[error("[look] wireframe = {0} is not between 0 and 1; write 0.3 for fine lines, 0 for none")]
-    Wireframe(f64),
+    /// A share of the look is out of range.
+    #[error("[look] {key} = {value} is not between 0 and 1; write 0 for none, 1 for all")]
+    Share {
+        /// Key in the scene file.
+        key: &'static str,
+        /// The value as given.
+        value: f64,
+    },
+    /// The picture of a sphere cannot be read.
+    #[error("[look] matcap: {} cannot be read ({reason}); give a PNG of a lit sphere that fills the picture", path.display())]
+    Matcap {
+        /// The file.
+        path: PathBuf,
+        /// What the system or the decoder said.
+        reason: String,
+    },
     /// The picture has no pixels or too many.
     #[error("[output] size = [{width}, {height}] is not possible; each side is at least 1 and at most {limit} pixels")]
     Size {

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use super::{
     Camera, Film, Lights, Look, Output, RenderError, Scenery,
     bins::Bins,
-    color::tone_mapped,
+    ground::draw_ground_shadow,
     layers::LayerBuilder,
     lines::tubes,
     project::{Projection, ScreenTriangle},
@@ -32,7 +32,7 @@ pub fn render(
 ) -> Result<Film, RenderError> {
     scenery.validate()?;
     let stage = Stage::new(scenery, camera, output);
-    let tubes = tubes(scenery, &stage, camera, &look.lines, output);
+    let tubes = tubes(scenery, &stage, camera, look, output);
     let most = stage.faces.len().max(tubes.len());
     if most >= FIRST_TUBE as usize - 1 {
         return Err(RenderError::TooManyPrimitives(most));
@@ -48,9 +48,15 @@ pub fn render(
         tubes,
         weights: filter_weights(&pattern),
         pattern,
-        shader: Shader { stage: &stage, visibility: &visibility, camera, lights, look, output },
+        shader: Shader { scenery, stage: &stage, visibility: &visibility, camera, lights, look, output },
     };
-    Ok(frame.film())
+    let mut film = frame.film();
+    if let Some(ground) = scenery.ground
+        && look.ground_shadow > 0.0
+    {
+        draw_ground_shadow(&mut film, ground, &frame.shader);
+    }
+    Ok(film)
 }
 
 /// What tiles are made from.
@@ -132,7 +138,7 @@ impl Frame<'_> {
                     } else {
                         self.shader.tube(&self.tubes[(id - FIRST_TUBE) as usize], at)
                     };
-                    colors[first] = Shaded { color: tone_mapped(shaded.color), ..shaded };
+                    colors[first] = Shaded { color: self.shader.look.toned(shaded.color), ..shaded };
                 }
             }
         }

@@ -5,10 +5,28 @@ use obvhs::{BvhBuildParams, aabb::Aabb, bvh2::builder::build_bvh2_from_tris, tri
 use rayon::prelude::*;
 use std::time::Duration;
 
-/// Segments along which two triangles that share no vertex cross, ordered by the triangles.
+use super::Plane;
+
+/// Where two triangles cross.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Ends of the segment they have in common.
+    pub ends: [DVec3; 2],
+    /// Sine of the angle between their planes.
+    pub sine: f64,
+}
+
+/// Segments in which the triangles are cut by a plane, in their order. All corners must be finite.
+pub fn cuts(triangles: &[[u32; 3]], positions: &[DVec3], plane: Plane) -> Vec<[DVec3; 2]> {
+    let through = plane.normal * plane.offset;
+    let segment = |corners: &[u32; 3]| cut(corners.map(|vertex| positions[vertex as usize]), through, plane.normal);
+    triangles.par_iter().filter_map(segment).collect()
+}
+
+/// Crossings of triangles that share no vertex, ordered by the triangles.
 ///
 /// Triangles that lie in one plane cross nowhere. All corners must be finite.
-pub fn self_intersections(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<[DVec3; 2]> {
+pub fn self_intersections(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<Crossing> {
     let Some(&[first, ..]) = triangles.first() else { return Vec::new() };
     // Boxes are in single precision, around a corner of the surface, and a little too large.
     let origin = positions[first as usize];
@@ -48,18 +66,20 @@ fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
 }
 
 /// The segment two triangles have in common, if they cross (Möller 1997).
-fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<[DVec3; 2]> {
+fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<Crossing> {
     let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
     let (plane_one, plane_other) = (normal(one), normal(other));
     let [p, q] = cut(one, other[0], plane_other)?;
     let [r, s] = cut(other, one[0], plane_one)?;
     // Both cuts lie on the line the planes share; keep what they have in common.
-    let line = plane_one.cross(plane_other).try_normalize()?;
+    let across = plane_one.cross(plane_other);
+    let line = across.try_normalize()?;
+    let sine = across.length() / (plane_one.length() * plane_other.length());
     let ordered = |[a, b]: [DVec3; 2]| if a.dot(line) <= b.dot(line) { [a, b] } else { [b, a] };
     let ([p, q], [r, s]) = (ordered([p, q]), ordered([r, s]));
     let from = if p.dot(line) >= r.dot(line) { p } else { r };
     let to = if q.dot(line) <= s.dot(line) { q } else { s };
-    (from.dot(line) < to.dot(line)).then_some([from, to])
+    (from.dot(line) < to.dot(line)).then_some(Crossing { ends: [from, to], sine })
 }
 
 /// Where a plane cuts the edges of a triangle.

@@ -1,11 +1,11 @@
-//! Which edges are drawn as lines.
+//! Which curves are drawn as lines.
 
 use glam::DVec3;
 use rayon::prelude::*;
 
 use super::{
-    Camera, Lines, Output, Scenery,
-    intersect::self_intersections,
+    Camera, FieldValues, Lines, Look, Output, Scenery,
+    intersect::{cuts, self_intersections},
     project::Projection,
     stage::Stage,
     tube::{ScreenTube, Stroke},
@@ -14,49 +14,178 @@ use super::{
 /// How far silhouettes lie behind their edges, as a share of the edge's length: deeper than the zigzags of
 /// the mesh, so that these stay hidden.
 const OUTLINE_SINK: f32 = 0.6;
-/// The lines of a picture, in a fixed order: silhouettes, boundary, self-intersections, rims, pinch points.
-pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, lines: &Lines, output: &Output) -> Vec<ScreenTube> {
-    let projection = Projection::new(camera, output);
-    let tube = |ends: [DVec3; 2], width: f32, stroke: Stroke| {
-        let radius = width / 2.0;
+/// Sine of the angle between crossing sheets at which their curve is drawn in full width; where they nearly
+/// coincide there is no curve, only noise.
+const FULL_CROSSING: f64 = 0.25;
+/// Below this width, as a share of the full one, nothing is drawn.
+const FAINTEST: f64 = 0.25;
+
+/// The lines of a picture, in a fixed order: silhouettes, creases, boundary, cut, self-intersections, rims,
+/// pinch points, pins.
+pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, output: &Output) -> Vec<ScreenTube> {
+    let lines = &look.lines;
+    let pen = Pen { projection: Projection::new(camera, output), scenery, camera, look, output };
+    let at = |ends: [u32; 2]| ends.map(|vertex| scenery.positions[vertex as usize]);
+    let edges = Edges::new(scenery, stage, lines);
+    let is_there = |ends: &&[u32; 2]| !pen.is_in_a_gap(**ends);
+
+    let silhouettes = edges.silhouettes.iter().filter(is_there).filter_map(|&ends| {
+        let (ends, width) = (at(ends), 2.0 * lines.silhouette);
+        let sink = output.line_pixels(lines.silhouette) + OUTLINE_SINK * pen.pixels_long(ends);
+        pen.stroke(ends, width, Stroke::Outline { sink })
+    });
+    let creases =
+        edges.creases.iter().filter(is_there).filter_map(|&ends| pen.stroke(at(ends), lines.crease, Stroke::Line));
+    let boundary =
+        edges.boundary.iter().filter(is_there).filter_map(|&ends| pen.stroke(at(ends), lines.boundary, Stroke::Line));
+    let cut = match look.cut {
+        Some(plane) if lines.boundary > 0.0 => cuts(&stage.faces, scenery.positions, plane),
+        _ => Vec::new(),
+    };
+    let cut = cut.iter().filter_map(|&ends| pen.stroke(ends, lines.boundary, Stroke::Line));
+    let double =
+        if lines.intersection > 0.0 { self_intersections(&stage.faces, scenery.positions) } else { Vec::new() };
+    let double = double.iter().filter_map(|crossing| {
+        let share = (crossing.sine / FULL_CROSSING).min(1.0);
+        let width = if share > FAINTEST { lines.intersection * share as f32 } else { 0.0 };
+        pen.stroke(crossing.ends, width, Stroke::Line)
+    });
+    let is_shown = |ends: &&[u32; 2]| edges.is_shown(**ends);
+    let rims = scenery.rims.iter().filter(is_shown).filter_map(|&ends| pen.stroke(at(ends), lines.rim, Stroke::Rim));
+    let points = |vertices: &'_ [u32], width: f32, stroke: Stroke| -> Vec<ScreenTube> {
+        vertices.iter().filter_map(|&vertex| pen.stroke(at([vertex; 2]), width, stroke)).collect()
+    };
+    let pinches = points(scenery.pinch_points, lines.pinch, Stroke::Rim);
+    let pins = points(scenery.pins, lines.pin, Stroke::Pin);
+    let flat = silhouettes.chain(creases).chain(boundary).chain(cut).chain(double);
+    flat.chain(rims).chain(pinches).chain(pins).collect()
+}
+
+/// Turns segments of space into tubes on the picture.
+struct Pen<'a> {
+    projection: Projection,
+    scenery: &'a Scenery<'a>,
+    camera: &'a Camera,
+    look: &'a Look,
+    output: &'a Output,
+}
+
+impl Pen<'_> {
+    /// A tube between two points, `width` pixels wide at 1080p; none if nothing of it can be seen.
+    fn stroke(&self, ends: [DVec3; 2], width: f32, stroke: Stroke) -> Option<ScreenTube> {
         if width == 0.0 || !ends.iter().all(|end| end.is_finite()) {
             return None;
         }
-        let tube = ScreenTube::new(projection.segment(ends)?, output.line_pixels(radius), stroke, camera, output);
-        tube.is_near(output).then_some(tube)
-    };
-    let edge = |ends: [u32; 2]| ends.map(|vertex| scenery.positions[vertex as usize]);
-    let silhouettes = silhouettes(stage);
-    let silhouettes = silhouettes.iter().filter_map(|&ends| {
-        let ends = edge(ends);
-        let depth = projection.pixel(projection.clip(ends[0])).z;
-        let length = ends[0].distance(ends[1]) / camera.pixel_size(depth, output);
-        let sink = output.line_pixels(lines.silhouette) + OUTLINE_SINK * length as f32;
-        tube(ends, 2.0 * lines.silhouette, Stroke::Outline { sink })
-    });
-    let boundary = scenery.boundary.iter().filter_map(|&ends| tube(edge(ends), lines.boundary, Stroke::Line));
-    let double = self_intersections(&stage.faces, scenery.positions);
-    let double = double.iter().filter_map(|&ends| tube(ends, lines.intersection, Stroke::Line));
-    let rims = scenery.rims.iter().filter_map(|&ends| tube(edge(ends), lines.rim, Stroke::Raised));
-    let pinches =
-        scenery.pinch_points.iter().filter_map(|&vertex| tube(edge([vertex; 2]), lines.pinch, Stroke::Raised));
-    silhouettes.chain(boundary).chain(double).chain(rims).chain(pinches).collect()
+        let ends = self.uncut(ends)?;
+        let width = if self.look.lines.perspective { width * self.closeness(ends) } else { width };
+        let radius = self.output.line_pixels(width / 2.0);
+        let segment = self.projection.segment(ends)?;
+        let tube = ScreenTube::new(segment, radius, stroke, self.camera, self.output);
+        tube.is_near(self.output).then_some(tube)
+    }
+
+    /// Whether the middle of an edge lies in a see-through gap of the pattern.
+    fn is_in_a_gap(&self, [a, b]: [u32; 2]) -> bool {
+        let (Some(pattern), Some(field)) = (&self.look.pattern, self.scenery.along[0]) else { return false };
+        let FieldValues::PerVertex(_) = field.values else { return false };
+        let [from, to, _] = field.at_corners(0, [a, b, b]);
+        pattern.is_gap((from + to) / 2.0)
+    }
+
+    /// The part of a segment that is not cut away.
+    fn uncut(&self, [a, b]: [DVec3; 2]) -> Option<[DVec3; 2]> {
+        let Some(plane) = self.look.cut else { return Some([a, b]) };
+        // A little beyond, so that the outline of the cut itself stays.
+        let (_, radius) = self.camera.subject();
+        let height = |point: DVec3| plane.normal.dot(point) - plane.offset - 1e-6 * radius;
+        let (over_a, over_b) = (height(a), height(b));
+        let at_plane = || a.lerp(b, over_a / (over_a - over_b));
+        match (over_a > 0.0, over_b > 0.0) {
+            (true, true) => None,
+            (false, false) => Some([a, b]),
+            (false, true) => Some([a, at_plane()]),
+            (true, false) => Some([at_plane(), b]),
+        }
+    }
+
+    /// How much larger things look here than in the middle of what is framed.
+    fn closeness(&self, ends: [DVec3; 2]) -> f32 {
+        let size = |point: DVec3| {
+            let depth = self.projection.pixel(self.projection.clip(point)).z;
+            self.camera.pixel_size(depth, self.output)
+        };
+        let here = size((ends[0] + ends[1]) / 2.0);
+        let share = size(self.camera.subject().0) / here;
+        if share.is_finite() { share.clamp(0.1, 10.0) as f32 } else { 1.0 }
+    }
+
+    /// Length in pixels of a segment that lies across the picture where this one begins.
+    fn pixels_long(&self, ends: [DVec3; 2]) -> f32 {
+        let depth = self.projection.pixel(self.projection.clip(ends[0])).z;
+        (ends[0].distance(ends[1]) / self.camera.pixel_size(depth, self.output)) as f32
+    }
 }
 
-/// Edges between a face whose front is seen and one whose back is.
-fn silhouettes(stage: &Stage) -> Vec<[u32; 2]> {
-    let mut sides: Vec<([u32; 2], bool)> = stage
-        .faces
-        .par_iter()
-        .zip(&stage.shows_front)
-        .flat_map_iter(|(corners, &front)| {
-            [0, 1, 2].map(|k| {
-                let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                ([a.min(b), a.max(b)], front)
+/// Edges of the drawn faces, by what they are drawn as.
+struct Edges {
+    /// Between a face whose front is seen and one whose back is.
+    silhouettes: Vec<[u32; 2]>,
+    /// Bent by more than the angle of the look.
+    creases: Vec<[u32; 2]>,
+    /// Ends of what is shown.
+    boundary: Vec<[u32; 2]>,
+    /// All of them in order, if some faces are hidden.
+    shown: Option<Vec<[u32; 2]>>,
+}
+
+impl Edges {
+    fn new(scenery: &Scenery, stage: &Stage, lines: &Lines) -> Self {
+        let hidden = scenery.shown.iter().any(|shown| !shown);
+        let whole =
+            Self { silhouettes: Vec::new(), creases: Vec::new(), boundary: scenery.boundary.to_vec(), shown: None };
+        if lines.silhouette == 0.0 && lines.crease == 0.0 && !hidden {
+            return whole;
+        }
+        let mut sides: Vec<([u32; 2], u32)> = stage
+            .faces
+            .par_iter()
+            .enumerate()
+            .flat_map_iter(|(face, corners)| {
+                [0, 1, 2].map(|k| {
+                    let (a, b) = (corners[k], corners[(k + 1) % 3]);
+                    ([a.min(b), a.max(b)], face as u32)
+                })
             })
-        })
-        .collect();
-    sides.par_sort_unstable();
-    let shared = sides.chunk_by(|a, b| a.0 == b.0);
-    shared.filter(|edge| edge.iter().any(|side| side.1 != edge[0].1)).map(|edge| edge[0].0).collect()
+            .collect();
+        sides.par_sort_unstable();
+        let front = |side: &([u32; 2], u32)| stage.shows_front[side.1 as usize];
+        let normal = |side: &([u32; 2], u32)| stage.face_normals[side.1 as usize];
+        let flattest = libm::cosf(lines.crease_angle);
+        let mut edges = whole;
+        let mut ends_here = Vec::new();
+        let mut all = Vec::new();
+        for edge in sides.chunk_by(|a, b| a.0 == b.0) {
+            if edge.iter().any(|side| front(side) != front(&edge[0])) {
+                edges.silhouettes.push(edge[0].0);
+            } else if lines.crease > 0.0
+                && let [one, other] = edge
+                && normal(one).dot(normal(other)) < flattest
+            {
+                edges.creases.push(edge[0].0);
+            }
+            if hidden {
+                all.push(edge[0].0);
+                ends_here.extend((edge.len() == 1).then_some(edge[0].0));
+            }
+        }
+        if hidden {
+            edges.boundary = ends_here;
+            edges.shown = Some(all);
+        }
+        edges
+    }
+
+    fn is_shown(&self, [a, b]: [u32; 2]) -> bool {
+        self.shown.as_ref().is_none_or(|shown| shown.binary_search(&[a.min(b), a.max(b)]).is_ok())
+    }
 }

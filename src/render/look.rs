@@ -1,7 +1,12 @@
+use std::path::Path;
+
 use glam::Vec3;
 
-use super::{ColorMap, RenderError, color::linear_from_srgb};
-use crate::scene::{LookSection, MaterialName, PatternKind};
+use super::{
+    ColorMap, RenderError,
+    color::{linear_from_srgb, tone_mapped},
+};
+use crate::scene::{ColorMapName, LineSection, LookSection, MaterialName, PatternKind};
 
 /// Colours, material and lines. Colours are linear light. The default is the studio look: a
 /// two-coloured clay on a warm white ground.
@@ -33,7 +38,8 @@ pub struct Look {
     pub shadows: bool,
     /// Strength of the shadow on the ground below the surface, 0 for no ground.
     pub ground_shadow: f32,
-    /// How much grazing views are darkened, 0 to 1, so that the outline reads on a light ground.
+    /// How much grazing views are darkened, so that the outline reads on a light ground; negative brightens them
+    /// for a dark one.
     pub rim_darkening: f32,
     /// Strength of the mesh edges, 0 to 1.
     pub wireframe: f32,
@@ -158,73 +164,143 @@ impl Lines {
 }
 
 impl Look {
-    /// The look a scene asks for: a preset and what differs from it. Fields, patterns and cuts that depend on
-    /// the surface are added by the caller.
+    /// The look a scene asks for: a preset and what differs from it. What depends on the surface, the fields that
+    /// colours and patterns run along and the plane of a cut, is added by the caller.
     ///
     /// # Errors
-    /// [`RenderError::Wireframe`] if the strength is not between 0 and 1.
-    pub fn from_scene(section: &LookSection) -> Result<Self, RenderError> {
-        let mut look = Self::default();
-        if let Some(wireframe) = section.wireframe {
-            if !(0.0..=1.0).contains(&wireframe) {
-                return Err(RenderError::Wireframe(wireframe));
-            }
-            look.wireframe = wireframe as f32;
-        }
-        if let Paint::Sides([front, back]) = &mut look.paint {
-            *front = section.front.map_or(*front, linear_from_srgb);
-            *back = section.back.map_or(*back, linear_from_srgb);
-        }
-        if let Some(background) = section.background {
-            look.background = [linear_from_srgb(background); 2];
-        }
-        if section.lines == Some(false) {
-            look.lines = Lines::NONE;
-        }
-        if section.material == Some(MaterialName::Flat) {
-            look.material = Material::Flat;
-        }
-        Ok(look)
+    /// [`RenderError::Share`] if a share is not between 0 and 1, [`RenderError::Matcap`] if the picture of a
+    /// sphere cannot be read; its path starts in `folder`.
+    pub fn from_scene(section: &LookSection, folder: &Path) -> Result<Self, RenderError> {
+        let preset = Self::preset(section.preset);
+        let share = |key: &'static str, value: Option<f64>, usual: f32| match value {
+            Some(value) if !(0.0..=1.0).contains(&value) => Err(RenderError::Share { key, value }),
+            value => Ok(value.map_or(usual, |value| value as f32)),
+        };
+        let top = section.background.map_or(preset.background[0], linear_from_srgb);
+        let bottom = section.background.map_or(preset.background[1], linear_from_srgb);
+        Ok(Self {
+            paint: paint(section, preset.paint),
+            material: material(section, preset.material, folder)?,
+            opacity: [
+                share("front_opacity", section.front_opacity, preset.opacity[0])?,
+                share("back_opacity", section.back_opacity, preset.opacity[1])?,
+            ],
+            edge_opacity: share("edge_opacity", section.edge_opacity, preset.edge_opacity)?,
+            pattern: section.pattern.as_ref().map_or(preset.pattern, |pattern| {
+                Some(Pattern { kind: pattern.kind, periods: [1.0; 2], gap: pattern.gap as f32 })
+            }),
+            background: [top, section.background_bottom.map_or(bottom, linear_from_srgb)],
+            occlusion: share("occlusion", section.occlusion, preset.occlusion)?,
+            shadows: section.shadows.unwrap_or(preset.shadows),
+            ground_shadow: share("ground_shadow", section.ground_shadow, preset.ground_shadow)?,
+            wireframe: share("wireframe", section.wireframe, preset.wireframe)?,
+            lines: if section.lines == Some(false) { Lines::NONE } else { lines(&section.line, preset.lines) },
+            ..preset
+        })
     }
 
-    /// Whether all of the surface is opaque.
+    /// Whether all of the surface hides what is behind it.
     pub fn is_opaque(&self) -> bool {
-        self.opacity == [1.0; 2]
+        self.opacity == [1.0; 2] && self.edge_opacity == 1.0
+    }
+
+    /// Light as it is shown: what is unlit keeps its colour, else the tone curve applies.
+    pub(super) fn toned(&self, color: Vec3) -> Vec3 {
+        if self.material == Material::Flat { color } else { tone_mapped(color) }
+    }
+
+    /// Ink that reads on the background at this place, from 0 at the upper to 1 at the lower end.
+    pub fn ink(&self, place: f32) -> Vec3 {
+        let ground = self.background[0].lerp(self.background[1], place).dot(Vec3::new(0.2126, 0.7152, 0.0722));
+        linear_from_srgb(if ground > 0.2 { [0x2B, 0x2A, 0x29] } else { [0xEC, 0xEA, 0xE6] })
     }
 }
 
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            paint: Paint::Sides([linear_from_srgb([0xE0, 0x82, 0x3D]), linear_from_srgb([0x3E, 0x7C, 0xB8])]),
-            material: Material::Studio { gloss: 1.0 },
-            opacity: [1.0; 2],
-            edge_opacity: 1.0,
-            pattern: None,
-            cut: None,
-            background: [linear_from_srgb([0xF4, 0xF3, 0xF0]); 2],
-            sky: Vec3::new(0.30, 0.33, 0.38),
-            ground: Vec3::new(0.20, 0.18, 0.16),
-            occlusion_reach: 0.45,
-            occlusion: 1.0,
-            shadows: true,
-            ground_shadow: 0.0,
-            rim_darkening: 0.55,
-            wireframe: 0.0,
-            lines: Lines {
-                color: linear_from_srgb([0x2B, 0x23, 0x20]),
-                rim_color: linear_from_srgb([0xB0, 0x12, 0x2E]),
-                pin_color: linear_from_srgb([0x1E, 0x1B, 0x1A]),
-                silhouette: 2.2,
-                crease: 0.0,
-                crease_angle: 0.7,
-                boundary: 2.4,
-                intersection: 2.4,
-                rim: 8.0,
-                pinch: 16.0,
-                pin: 0.0,
-                perspective: false,
-            },
-        }
+fn paint(section: &LookSection, preset: Paint) -> Paint {
+    if section.color.is_some() {
+        // Map and range are those of the field, which is computed later.
+        return Paint::Map { map: ColorMap(ColorMapName::Viridis), range: [0.0, 1.0] };
+    }
+    let sides = |usual: [Vec3; 2]| {
+        Paint::Sides([
+            section.front.map_or(usual[0], linear_from_srgb),
+            section.back.map_or(usual[1], linear_from_srgb),
+        ])
+    };
+    match preset {
+        Paint::Sides(usual) => sides(usual),
+        map => map,
+    }
+}
+
+fn material(section: &LookSection, preset: Material, folder: &Path) -> Result<Material, RenderError> {
+    let Some(name) = section.material else { return Ok(preset) };
+    Ok(match name {
+        MaterialName::Studio => Material::Studio { gloss: 1.0 },
+        MaterialName::Clay => Material::Studio { gloss: 0.0 },
+        MaterialName::Pbr => Material::Pbr {
+            roughness: section.roughness.unwrap_or(0.4) as f32,
+            metallic: section.metallic.unwrap_or(0.0) as f32,
+        },
+        MaterialName::Toon => Material::Toon { steps: 4 },
+        MaterialName::Matcap => Material::Matcap(match &section.matcap {
+            Some(path) => Matcap::read(&folder.join(path))?,
+            None => Matcap::porcelain(),
+        }),
+        MaterialName::Flat => Material::Flat,
+    })
+}
+
+fn lines(section: &LineSection, preset: Lines) -> Lines {
+    let width = |value: Option<f64>, usual: f32| value.map_or(usual, |value| value as f32);
+    let rim = width(section.rim, preset.rim);
+    Lines {
+        color: section.color.map_or(preset.color, linear_from_srgb),
+        silhouette: width(section.silhouette, preset.silhouette),
+        crease: width(section.crease, preset.crease),
+        crease_angle: section.crease_angle.map_or(preset.crease_angle, |degrees| degrees.to_radians() as f32),
+        boundary: width(section.boundary, preset.boundary),
+        intersection: width(section.intersection, preset.intersection),
+        rim,
+        pinch: 2.0 * rim,
+        pin: width(section.pin, preset.pin),
+        perspective: section.perspective.unwrap_or(preset.perspective),
+        ..preset
+    }
+}
+
+impl Matcap {
+    /// Reads a picture of a lit sphere that touches the middle square's sides.
+    ///
+    /// # Errors
+    /// [`RenderError::Matcap`]
+    pub fn read(path: &Path) -> Result<Self, RenderError> {
+        let failed = |error: String| RenderError::Matcap { path: path.to_owned(), reason: error };
+        let picture = image::open(path).map_err(|error| failed(error.to_string()))?.into_rgb8();
+        let side = picture.width().min(picture.height());
+        let (left, top) = ((picture.width() - side) / 2, (picture.height() - side) / 2);
+        let square = image::imageops::crop_imm(&picture, left, top, side, side).to_image();
+        Ok(Self { side: side as usize, pixels: square.pixels().map(|pixel| linear_from_srgb(pixel.0)).collect() })
+    }
+
+    /// White porcelain between two soft boxes.
+    pub fn porcelain() -> Self {
+        const SIDE: usize = 256;
+        let boxes = [(Vec3::new(-0.55, 0.65, 0.55), 0.75, 60), (Vec3::new(0.80, 0.15, 0.35), 0.30, 14)];
+        let pixel = |index: usize| {
+            let place = |value: usize| (value as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0;
+            let (x, y) = (place(index % SIDE), -place(index / SIDE));
+            let normal = Vec3::new(x, y, (1.0 - x * x - y * y).max(0.0).sqrt()).normalize();
+            let mirror =
+                Vec3::new(2.0 * normal.z * normal.x, 2.0 * normal.z * normal.y, 2.0 * normal.z * normal.z - 1.0);
+            let base =
+                Vec3::new(0.30, 0.29, 0.30).lerp(Vec3::new(0.86, 0.87, 0.90), 0.5 + 0.5 * normal.dot(boxes[0].0));
+            let shine: f32 = boxes
+                .iter()
+                .map(|&(toward, strength, power)| strength * mirror.dot(toward.normalize()).max(0.0).powi(power))
+                .sum();
+            base * (0.55 + 0.45 * normal.z) + Vec3::splat(shine)
+        };
+        Self { side: SIDE, pixels: (0..SIDE * SIDE).map(pixel).collect() }
     }
 }

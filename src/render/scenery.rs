@@ -1,6 +1,6 @@
 use glam::DVec3;
 
-use super::{Field, RenderError};
+use super::{Field, Plane, RenderError};
 
 /// What is to be seen: a triangulated surface, curves and fields on it, as plain borrowed data.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,6 +21,8 @@ pub struct Scenery<'a> {
     pub pinch_points: &'a [u32],
     /// Vertices that are held.
     pub pins: &'a [u32],
+    /// The ground, for its shadow; the normal points up.
+    pub ground: Option<Plane>,
     /// Shown as colour, by the look's [`Paint::Map`](super::Paint).
     pub color: Option<&'a Field>,
     /// What the pattern of the look runs along, and across for patterns of two directions.

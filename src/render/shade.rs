@@ -3,7 +3,9 @@
 use glam::{Vec2, Vec3, Vec3A};
 
 use super::{
-    Camera, Light, Lights, Look, Material, Output, Paint,
+    Camera, Light, Lights, Look, Material, Output, Paint, Scenery,
+    material::Lit,
+    pattern::{Mark, Spread},
     stage::Stage,
     tube::{ScreenTube, Stroke},
     visibility::{Shade, Visibility, side_normal},
@@ -11,6 +13,7 @@ use super::{
 
 /// All that shading reads.
 pub struct Shader<'a> {
+    pub scenery: &'a Scenery<'a>,
     pub stage: &'a Stage,
     pub visibility: &'a Visibility,
     pub camera: &'a Camera,
@@ -30,10 +33,10 @@ pub struct Shaded {
     pub normal: Vec3A,
 }
 
-/// Share of the key light that still comes through in a full shadow.
-const SHADOW_LEAK: f32 = 0.1;
 /// Edges shorter than these many pixels fade, and are not drawn.
 const WIRE_FADE: [f32; 2] = [3.0, 6.0];
+/// How dark the dark fields of a checker are.
+const CHECKER_SHADE: f32 = 0.55;
 
 impl Shader<'_> {
     /// Shades a face at a place in pixels.
@@ -47,18 +50,28 @@ impl Shader<'_> {
         let normals = corners.map(|vertex| side_normal(stage.normals[vertex as usize], side));
         let flat = side_normal(stage.face_normals[face], side);
         let normal = turned_to_eye(mix(normals).try_normalize().unwrap_or(flat), flat, toward_eye);
-        let point = raised(mix(points), points, normals, weights);
+        let albedo = self.patterned(self.albedo(face, side, weights), face, at);
 
-        let albedo = self.albedo(side);
-        let sky = (0..3).map(|k| self.visibility.sky(side, corners[k]) * weights[k]).sum::<f32>();
-        let seen = |index: usize, light: &Light| match self.visibility.shade(index, face) {
-            Shade::Lit => 1.0,
-            Shade::Dark => 0.0,
-            Shade::Mixed => self.visibility.light_seen(light, point, normal, pixel_turn(at)),
+        let leaving = if self.look.material == Material::Flat {
+            super::material::Leaving { body: albedo, highlight: Vec3::ZERO }
+        } else {
+            let point = raised(mix(points), points, normals, weights);
+            let seen = |index: usize, light: &Light| match self.visibility.shade(index, face) {
+                Shade::Lit => 1.0,
+                Shade::Dark => 0.0,
+                Shade::Mixed => self.visibility.light_seen(light, point, normal, pixel_turn(at)),
+            };
+            let sky = (0..3).map(|k| self.visibility.sky(side, corners[k]) * weights[k]).sum::<f32>();
+            let sky = 1.0 - self.look.occlusion * (1.0 - sky);
+            let lit = Lit { albedo, normal, toward_eye, sky, lights: self.lights, look: self.look };
+            lit.leaving(&self.look.material, seen)
         };
-        let color = self.lit(albedo, normal, toward_eye, sky, seen);
-        let color = if self.look.wireframe > 0.0 { self.with_wires(color, corners, at) } else { color };
-        Shaded { color, opacity: 1.0, normal: side_normal(normal, side) }
+        // A thin sheet lets its own colour through, not its highlights.
+        let sheet = self.opacity(side, normal.dot(toward_eye));
+        let opacity = sheet + (1.0 - sheet) * leaving.highlight.max_element().min(1.0);
+        let color = (leaving.body * sheet + leaving.highlight) / opacity.max(1e-6);
+        let (color, opacity) = self.with_wires(color, opacity, corners, at);
+        Shaded { color, opacity, normal: side_normal(normal, side) }
     }
 
     /// Shades a line at a place in pixels.
@@ -66,75 +79,103 @@ impl Shader<'_> {
         let normal = tube.normal_at(at);
         let color = match tube.stroke {
             Stroke::Outline { .. } | Stroke::Line => self.look.lines.color,
-            Stroke::Raised => self.lit(self.look.lines.rim_color, normal, Vec3A::Z, 1.0, |_, _| 1.0),
+            Stroke::Rim => self.raised_line(self.look.lines.rim_color, normal),
+            Stroke::Pin => self.raised_line(self.look.lines.pin_color, normal),
         };
         Shaded { color, opacity: 1.0, normal }
     }
 
-    fn albedo(&self, side: usize) -> Vec3 {
-        match self.look.paint {
-            Paint::Sides(colors) => colors[side],
-            Paint::Map { map, .. } => map.at(0.5),
+    /// A lit tube.
+    fn raised_line(&self, albedo: Vec3, normal: Vec3A) -> Vec3 {
+        let lit = Lit { albedo, normal, toward_eye: Vec3A::Z, sky: 1.0, lights: self.lights, look: self.look };
+        let leaving = lit.leaving(&Material::Studio { gloss: 1.0 }, |_, _| 1.0);
+        leaving.body + leaving.highlight
+    }
+
+    fn albedo(&self, face: usize, side: usize, weights: [f32; 3]) -> Vec3 {
+        match (self.look.paint, self.scenery.color) {
+            (Paint::Sides(colors), _) => colors[side],
+            (Paint::Map { map, range: [low, high] }, Some(field)) => {
+                let corners = field.at_corners(self.stage.triangles[face] as usize, self.stage.faces[face]);
+                let value: f32 = (0..3).map(|k| corners[k] * weights[k]).sum();
+                map.at((value - low) / (high - low))
+            }
+            (Paint::Map { map, .. }, None) => map.at(0.0),
         }
     }
 
-    fn gloss(&self) -> f32 {
-        if let Material::Studio { gloss } = self.look.material { gloss } else { 0.0 }
+    /// The colour with checkers, grids and iso-lines.
+    fn patterned(&self, albedo: Vec3, face: usize, at: [f32; 2]) -> Vec3 {
+        let Some(pattern) = &self.look.pattern else { return albedo };
+        let [along, across] = self.scenery.along.map(|field| {
+            let corners = field?.at_corners(self.stage.triangles[face] as usize, self.stage.faces[face]);
+            let value = |at: [f32; 2]| {
+                let weights = self.unclamped_weights(face, at);
+                (0..3).map(|k| corners[k] * weights[k]).sum::<f32>()
+            };
+            let here = value(at);
+            let step = Vec2::new(value([at[0] + 0.5, at[1]]) - here, value([at[0], at[1] + 0.5]) - here);
+            let per_pixel = 2.0 * step.length();
+            (here + per_pixel).is_finite().then_some(Spread { value: here, per_pixel })
+        });
+        match pattern.mark(along, across) {
+            Mark::Plain => albedo,
+            Mark::Shade(share) => albedo * (1.0 - share * CHECKER_SHADE),
+            Mark::Ink(share) => albedo.lerp(self.look.lines.color, share),
+        }
     }
 
-    /// Light leaving a surface point. `seen` is the share of a light that reaches it.
-    fn lit(
-        &self,
-        albedo: Vec3,
-        normal: Vec3A,
-        toward_eye: Vec3A,
-        sky: f32,
-        seen: impl Fn(usize, &Light) -> f32,
-    ) -> Vec3 {
-        let ambient = self.look.ground.lerp(self.look.sky, 0.5 + 0.5 * normal.y);
-        let mut diffuse = ambient * occlusion(sky, albedo);
-        let mut specular = Vec3::ZERO;
-        for (index, light) in self.lights.0.iter().enumerate() {
-            let cosine = normal.dot(light.direction);
-            let lambert = ((cosine + light.wrap) / (1.0 + light.wrap)).max(0.0);
-            if lambert == 0.0 {
-                continue;
-            }
-            let share = if light.shadow { seen(index, light) } else { 1.0 };
-            diffuse += light.color * (lambert * (SHADOW_LEAK + (1.0 - SHADOW_LEAK) * share));
-            if light.shadow && cosine > 0.0 {
-                let halfway = normal.dot((light.direction + toward_eye).normalize_or_zero()).max(0.0);
-                let fade = (cosine * 4.0).min(1.0);
-                specular += light.color * (self.gloss() * highlight(halfway) * share * fade);
-            }
+    /// Opacity of a sheet seen under an angle with this cosine.
+    fn opacity(&self, side: usize, cosine: f32) -> f32 {
+        let face_on = self.look.opacity[side];
+        if face_on == 1.0 && self.look.edge_opacity == 1.0 {
+            return 1.0;
         }
-        let grazing = 1.0 - normal.dot(toward_eye).clamp(0.0, 1.0);
-        (albedo * diffuse + specular) * (1.0 - self.look.rim_darkening * grazing * grazing * grazing)
+        let grazing = (1.0 - cosine.clamp(0.0, 1.0)).powi(2);
+        face_on + (self.look.edge_opacity - face_on) * grazing
     }
 
     /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
     pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
+        let (origin, direction) = self.ray(at);
+        let weights = self.weights_on(face, origin, direction);
+        if !weights.iter().all(|weight| weight.is_finite()) {
+            return (-direction, [1.0 / 3.0; 3]);
+        }
+        let clamped = weights.map(|weight| weight.clamp(0.0, 1.0));
+        let sum: f32 = clamped.iter().sum();
+        (-direction, clamped.map(|weight| weight / sum))
+    }
+
+    fn unclamped_weights(&self, face: usize, at: [f32; 2]) -> [f32; 3] {
+        let (origin, direction) = self.ray(at);
+        self.weights_on(face, origin, direction)
+    }
+
+    /// Origin and unit direction of sight, in stage space.
+    pub fn ray(&self, at: [f32; 2]) -> (Vec3A, Vec3A) {
         let x = 2.0 * f64::from(at[0]) / self.output.width() as f64 - 1.0;
         let y = 1.0 - 2.0 * f64::from(at[1]) / self.output.height() as f64;
         let (origin, direction) = self.camera.view_ray(x, y);
-        let (origin, direction) = (self.stage.of_view(origin), direction.as_vec3a().normalize());
+        (self.stage.of_view(origin), direction.as_vec3a().normalize())
+    }
+
+    /// Where a ray meets the plane of a face (Möller and Trumbore).
+    fn weights_on(&self, face: usize, origin: Vec3A, direction: Vec3A) -> [f32; 3] {
         let [a, b, c] = self.stage.faces[face].map(|vertex| self.stage.positions[vertex as usize]);
-        // Möller and Trumbore; the ray meets the face by construction, up to rounding at its edges.
         let (to_b, to_c, to_origin) = (b - a, c - a, origin - a);
         let across = direction.cross(to_c);
         let determinant = to_b.dot(across);
         let beta = to_origin.dot(across) / determinant;
         let gamma = direction.dot(to_origin.cross(to_b)) / determinant;
-        if !(beta + gamma).is_finite() {
-            return (-direction, [1.0 / 3.0; 3]);
-        }
-        let clamped = [1.0 - beta - gamma, beta, gamma].map(|weight| weight.clamp(0.0, 1.0));
-        let sum: f32 = clamped.iter().sum();
-        (-direction, clamped.map(|weight| weight / sum))
+        [1.0 - beta - gamma, beta, gamma]
     }
 
-    /// Mesh edges one pixel wide, each half drawn by the face on its side.
-    fn with_wires(&self, color: Vec3, corners: [u32; 3], at: [f32; 2]) -> Vec3 {
+    /// Mesh edges one pixel wide, each half drawn by the face on its side; they are opaque on thin sheets too.
+    fn with_wires(&self, color: Vec3, opacity: f32, corners: [u32; 3], at: [f32; 2]) -> (Vec3, f32) {
+        if self.look.wireframe == 0.0 {
+            return (color, opacity);
+        }
         let pixels = corners.map(|vertex| self.stage.pixels[vertex as usize]);
         let cover = (0..3)
             .map(|k| {
@@ -145,8 +186,10 @@ impl Shader<'_> {
                 let cover = fade * (1.0 - distance).clamp(0.0, 1.0);
                 if cover.is_finite() { cover } else { 0.0 }
             })
-            .fold(0.0, f32::max);
-        color.lerp(self.look.lines.color, cover * self.look.wireframe)
+            .fold(0.0, f32::max)
+            * self.look.wireframe;
+        let total = cover + (1.0 - cover) * opacity;
+        ((self.look.lines.color * cover + color * ((1.0 - cover) * opacity)) / total.max(1e-6), total)
     }
 }
 
@@ -165,21 +208,6 @@ fn raised(point: Vec3A, corners: [Vec3A; 3], normals: [Vec3A; 3], weights: [f32;
         let below = (point - corners[k]).dot(normals[k]).min(0.0);
         raised - normals[k] * (below * weights[k])
     })
-}
-
-/// Ambient light where a share `sky` of it is seen; light that bounces takes on the surface's colour.
-fn occlusion(sky: f32, albedo: Vec3) -> Vec3 {
-    let open = sky.max(0.0) * sky.max(0.0).sqrt();
-    let bounce = (1.0 - open) * (Vec3::ONE - 0.35 * albedo);
-    Vec3::splat(open) / (Vec3::splat(open) + bounce).max(Vec3::splat(1e-6))
-}
-
-/// A narrow and a broad lobe: .16 h⁶⁰ + .05 h¹².
-fn highlight(cosine: f32) -> f32 {
-    let power4 = cosine * cosine * cosine * cosine;
-    let power12 = power4 * power4 * power4;
-    let power60 = power12 * power12 * power12 * power12 * power12;
-    0.16 * power60 + 0.05 * power12
 }
 
 /// A turn per pixel whose errors are spread finely (interleaved gradient noise, Jimenez 2014).

@@ -20,6 +20,11 @@ pub struct Occluder {
 }
 
 impl Occluder {
+    /// Nothing at all.
+    pub fn none() -> Self {
+        Self { tree: None, triangles: Vec::new() }
+    }
+
     pub fn new(stage: &Stage) -> Self {
         let triangles: Vec<Triangle> = stage
             .faces
@@ -30,7 +35,7 @@ impl Occluder {
             })
             .collect();
         if triangles.is_empty() {
-            return Self { tree: None, triangles };
+            return Self::none();
         }
         let tree = build_cwbvh_from_tris(&triangles, BvhBuildParams::fast_build(), &mut Duration::default());
         let triangles = tree.primitive_indices.iter().map(|&index| triangles[index as usize]).collect();

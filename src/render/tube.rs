@@ -30,7 +30,9 @@ pub enum Stroke {
     /// A tube in flat colour: boundary and self-intersections.
     Line,
     /// A tube that is lit: rims and pinch points.
-    Raised,
+    Rim,
+    /// The same in another colour: pins.
+    Pin,
 }
 
 impl ScreenTube {
@@ -79,7 +81,7 @@ impl ScreenTube {
         let depth = self.depths[0] + (self.depths[1] - self.depths[0]) * f64::from(part);
         let height = f64::from(match self.stroke {
             Stroke::Outline { sink } => -sink,
-            Stroke::Line | Stroke::Raised => self.radius * height_squared.sqrt(),
+            Stroke::Line | Stroke::Rim | Stroke::Pin => self.radius * height_squared.sqrt(),
         });
         Some((depth * (1.0 + self.lift.0 * height) + self.lift.1 * height) as f32)
     }

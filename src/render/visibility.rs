@@ -8,7 +8,7 @@ use glam::Vec3A;
 use rayon::prelude::*;
 
 use super::{
-    Light, Lights, Look,
+    Light, Lights, Look, Material,
     stage::Stage,
     trace::{Occluder, disk_points, scrambled_turn, tangents, turned},
 };
@@ -16,7 +16,7 @@ use super::{
 /// What was found out before shading.
 pub struct Visibility {
     occluder: Occluder,
-    /// Share of the sky per vertex, for the front and the back.
+    /// Share of the sky per vertex, for the front and the back; empty if nobody asks.
     sky: [Vec<f32>; 2],
     /// For each light, per face: lit, dark, or to be looked at.
     shade: Vec<Vec<Shade>>,
@@ -56,14 +56,17 @@ const LARGE_FACE: f32 = 48.0;
 
 impl Visibility {
     pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
+        let lit = look.material != Material::Flat;
+        let occlusion = lit && look.occlusion > 0.0 && look.occlusion_reach > 0.0;
+        let shadows = lit && look.shadows && lights.0.iter().any(|light| light.shadow);
+        if !occlusion && !shadows {
+            let sky = [Vec::new(), Vec::new()];
+            return Self { occluder: Occluder::none(), sky, shade: Vec::new(), shadow_points: Vec::new() };
+        }
         let occluder = Occluder::new(stage);
         let seen = stage.sides_seen();
         let sky = [0, 1].map(|side| {
-            if look.occlusion_reach > 0.0 {
-                sky_per_vertex(stage, &occluder, &seen, side, look.occlusion_reach)
-            } else {
-                vec![1.0; stage.positions.len()]
-            }
+            if occlusion { sky_per_vertex(stage, &occluder, &seen, side, look.occlusion_reach) } else { Vec::new() }
         });
         let mut visibility = Self {
             occluder,
@@ -71,18 +74,20 @@ impl Visibility {
             shade: Vec::new(),
             shadow_points: disk_points(SHADOW_RAYS).into_iter().rev().collect(),
         };
-        visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
+        if shadows {
+            visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
+        }
         visibility
     }
 
     /// Share of the sky seen at a vertex from one side (0 front, 1 back).
     pub fn sky(&self, side: usize, vertex: u32) -> f32 {
-        self.sky[side][vertex as usize]
+        self.sky[side].get(vertex as usize).copied().unwrap_or(1.0)
     }
 
     /// How a light falls on a face.
     pub fn shade(&self, light: usize, face: usize) -> Shade {
-        self.shade[light].get(face).copied().unwrap_or(Shade::Lit)
+        self.shade.get(light).and_then(|faces| faces.get(face)).copied().unwrap_or(Shade::Lit)
     }
 
     /// Share of a light seen from a point whose normal, on the side that is looked at, is given. The

@@ -96,7 +96,7 @@ pub enum MaterialName {
     Flat,
 }
 
-/// `[look.pattern]`
+/// `[look.pattern]`: along what and how often is settled by the caller of the renderer
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatternSection {
     /// What is drawn.

@@ -1,0 +1,68 @@
+//! Stripes, fields and lines on a surface, as averages over the width of a pixel.
+
+use super::Pattern;
+use crate::scene::PatternKind;
+
+/// What a pattern does to the colour of a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Mark {
+    /// Nothing.
+    Plain,
+    /// Darkens it by this share of a shade.
+    Shade(f32),
+    /// Covers it with ink by this share.
+    Ink(f32),
+}
+
+/// A value at a place and how much it changes over a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Spread {
+    pub value: f32,
+    pub per_pixel: f32,
+}
+
+impl Pattern {
+    /// The mark at a place, given the values along and across there (in the units of the fields). Bands make no
+    /// mark: their gaps are left out of the surface.
+    pub fn mark(&self, along: Option<Spread>, across: Option<Spread>) -> Mark {
+        let in_periods = |spread: Option<Spread>, period: f32| {
+            spread.map(|s| Spread { value: s.value / period, per_pixel: s.per_pixel / period })
+        };
+        let along = in_periods(along, self.periods[0]);
+        let across = in_periods(across, self.periods[1]);
+        let line = |spread: Option<Spread>| spread.map_or(0.0, |s| centered(s, self.gap));
+        match self.kind {
+            PatternKind::Bands => Mark::Plain,
+            PatternKind::Checker => {
+                let sign = |spread: Option<Spread>| spread.map_or(1.0, |s| 1.0 - 2.0 * on_share(s, self.gap));
+                Mark::Shade(0.5 - 0.5 * sign(along) * sign(across))
+            }
+            PatternKind::Grid => Mark::Ink(1.0 - (1.0 - line(along)) * (1.0 - line(across))),
+            PatternKind::Isolines => Mark::Ink(line(along)),
+        }
+    }
+
+    /// Whether a place belongs to a see-through gap.
+    pub fn is_gap(&self, along: f32) -> bool {
+        let place = along / self.periods[0];
+        self.kind == PatternKind::Bands && place - place.floor() >= 1.0 - self.gap
+    }
+}
+
+/// Share of the pixel that lies in the first `duty` of a period.
+fn on_share(Spread { value, per_pixel }: Spread, duty: f32) -> f32 {
+    let integral = |x: f32| x.floor() * duty + (x - x.floor()).min(duty);
+    // Where a whole period is less than a pixel wide, its mean is all there is to see.
+    let width = per_pixel.clamp(1e-6, 1.0);
+    let near = value - value.floor();
+    let share = (integral(near + width / 2.0) - integral(near - width / 2.0)) / width;
+    let blur = (per_pixel - 0.7).clamp(0.0, 1.0);
+    share.clamp(0.0, 1.0) * (1.0 - blur) + duty * blur
+}
+
+/// Share of the pixel that lies within `duty` of a period around its whole numbers, never less than a fine line.
+fn centered(spread: Spread, duty: f32) -> f32 {
+    // A line thinner than a pixel is drawn a pixel wide, as long as lines are apart.
+    let duty = duty.max((spread.per_pixel * 1.2).min(0.5));
+    on_share(Spread { value: spread.value + duty / 2.0, ..spread }, duty)
+}
