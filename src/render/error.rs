@@ -57,6 +57,16 @@ pub enum RenderError {
     /// `wireframe` is out of range.
     #[error("[look] wireframe = {0} is not between 0 and 1; write 0.3 for fine lines, 0 for none")]
     Wireframe(f64),
+    /// A label cannot be filled in.
+    #[error("[[look.text]] text = {text:?} {reason}; {remedy}")]
+    Label {
+        /// The label as given.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+        /// What to write instead.
+        remedy: String,
+    },
     /// The picture has no pixels or too many.
     #[error("[output] size = [{width}, {height}] is not possible; each side is at least 1 and at most {limit} pixels")]
     Size {
