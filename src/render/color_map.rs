@@ -62,10 +62,10 @@ impl ColorMap {
             ColorMapName::Cyclic => &*CYCLIC,
             ColorMapName::Categorical => return category((place * 9.0).clamp(0.0, 9.0)),
         };
+        let place = if self.0 == ColorMapName::Cyclic { place - place.floor() } else { place.clamp(0.0, 1.0) };
         if place.is_nan() {
             return CATEGORIES[0];
         }
-        let place = if self.0 == ColorMapName::Cyclic { place - place.floor() } else { place.clamp(0.0, 1.0) };
         let entry = place * (ENTRIES - 1) as f32;
         let below = (entry as usize).min(ENTRIES - 2);
         table[below].lerp(table[below + 1], entry - below as f32)

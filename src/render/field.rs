@@ -86,6 +86,13 @@ impl FieldSpread {
         }
     }
 
+    /// Adds all the values that were added to another.
+    pub fn merge(&mut self, other: &FieldSpread) {
+        self.extremes = [self.extremes[0].min(other.extremes[0]), self.extremes[1].max(other.extremes[1])];
+        self.counts.iter_mut().zip(&other.counts).for_each(|(count, more)| *count += more);
+        self.finite += other.finite;
+    }
+
     /// The least and the greatest value; `None` if there was none.
     pub fn extremes(&self) -> Option<[f32; 2]> {
         (self.finite > 0).then_some(self.extremes)

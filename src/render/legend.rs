@@ -75,7 +75,8 @@ impl Legend {
                 let base = Vec2::new(right - width / 2.0, from + direction * gap);
                 let tip = base + Vec2::new(0.0, direction * point);
                 let color = self.map.at(end as f32);
-                fill_arrow(canvas, base, tip, width + 2.0 * sizes.stroke, |_| (ink, HAIRLINE));
+                let line = Vec2::new(0.0, direction * sizes.stroke);
+                fill_arrow(canvas, base - line, tip + line, width + 2.0 * sizes.stroke, |_| (ink, HAIRLINE));
                 fill_arrow(canvas, base, tip, width, |_| (color, 1.0));
             }
         }

@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 use super::{
     Film, Legend,
     color::linear_from_srgb,
-    text::{Anchor, CAPITAL_HEIGHT, TextStyle},
+    text::{Anchor, CAPITAL_HEIGHT, MIDDLE_GREY, TextStyle},
 };
 use crate::scene::Corner;
 
@@ -87,7 +87,6 @@ impl Film {
     pub fn ink(&self) -> Vec3 {
         let luminance = |color: &Vec3| color.dot(Vec3::new(0.2126, 0.7152, 0.0722));
         let mean = self.background.iter().map(luminance).sum::<f32>() / self.background.len().max(1) as f32;
-        // Halfway between black and white to the eye.
-        linear_from_srgb(if mean > 0.18 { [0x2B, 0x29, 0x28] } else { [0xE9, 0xE7, 0xE2] })
+        linear_from_srgb(if mean > MIDDLE_GREY { [0x2B, 0x29, 0x28] } else { [0xE9, 0xE7, 0xE2] })
     }
 }

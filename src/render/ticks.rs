@@ -10,9 +10,9 @@ pub struct Ticks {
 }
 
 /// Intervals between round numbers.
-const INTERVALS: f64 = 5.0;
+const INTERVALS: f64 = 6.0;
 /// Round numbers nearer to an end than this share of an interval give way to it.
-const ROOM: f64 = 0.55;
+const ROOM: f64 = 0.4;
 
 impl Ticks {
     /// The ends of a finite range and the multiples of 1, 2 or 5 times a power of ten between them.
@@ -22,7 +22,8 @@ impl Ticks {
         if !(span > 0.0 && span.is_finite()) {
             return Ticks { marks: vec![(low, number(low, 3))], exponent: 0 };
         }
-        let exponent = match libm::log10(largest).floor() as i32 {
+        // A hundredth in single precision is a little less than one.
+        let exponent = match libm::log10(largest * (1.0 + 1e-6)).floor() as i32 {
             -2..=3 => 0,
             exponent => exponent,
         };

@@ -8,6 +8,7 @@ mod draw;
 mod layout;
 mod template;
 
+pub(super) use draw::MIDDLE_GREY;
 pub use draw::{Anchor, TextStyle};
 pub use layout::text_width;
 pub use template::fill_in;
