@@ -43,7 +43,7 @@ fn state(frame: usize) -> FrameState {
 
 /// A film with three of its four frames done.
 fn cache(folder: &Path) -> Cache {
-    let cache = Cache::open_or_create(folder, &film(), &tetrahedron()).unwrap();
+    let cache = Cache::open_or_create(folder, &film(), &tetrahedron(), None).unwrap();
     for frame in 1..=3 {
         cache.write_frame(&state(frame)).unwrap();
     }
@@ -172,15 +172,37 @@ fn another_scene_is_refused_and_nothing_overwritten() {
         (&other, tetrahedron(), "the scene `test`; nothing was overwritten"),
         (&film(), two_faces, "the scene `test` on another mesh"),
     ] {
-        let error = Cache::open_or_create(folder.path(), film, &mesh).unwrap_err();
+        let error = Cache::open_or_create(folder.path(), film, &mesh, None).unwrap_err();
         assert!(matches!(error, CacheError::OtherScene { .. }));
         let message = error.to_string();
         assert!(message.contains(found) && message.contains("--restart") && message.contains("--out"), "{message}");
     }
     assert_eq!(contents(folder.path()), before);
     // Opening it with the same scene changes nothing either.
-    Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap();
+    Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
     assert_eq!(contents(folder.path()), before);
+}
+
+#[test]
+fn places_of_the_mesh_are_kept_if_there_are_any() {
+    let places: Vec<DVec3> = (0..4).map(|i| DVec3::new(f64::from(i) / 3.0, -0.0, 1e-300)).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let with = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
+    assert_eq!(with.places().unwrap(), Some(places.clone()));
+    assert_eq!(with.triangles().unwrap(), TETRAHEDRON);
+    // Whoever goes on with the film leaves them as they are.
+    let before = contents(folder.path());
+    let again = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
+    assert_eq!((again.places().unwrap(), contents(folder.path())), (Some(places.clone()), before));
+
+    // Folders without places stay without: what is there is not touched.
+    let folder = tempfile::tempdir().unwrap();
+    cache(folder.path());
+    let before = contents(folder.path());
+    let again = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
+    assert_eq!((again.places().unwrap(), contents(folder.path())), (None, before));
+    let anew = Cache::restart(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
+    assert_eq!(anew.places().unwrap(), Some(places));
 }
 
 #[test]
@@ -190,7 +212,7 @@ fn a_restart_begins_anew_and_leaves_other_files_alone() {
     let stranger = folder.path().join("frames/notes.json");
     fs::write(&stranger, "mine").unwrap();
     let changed = Film { fingerprint: 8, frame_count: 2, ..film() };
-    let cache = Cache::restart(folder.path(), &changed, &tetrahedron()).unwrap();
+    let cache = Cache::restart(folder.path(), &changed, &tetrahedron(), None).unwrap();
     assert_eq!((cache.frames().unwrap(), cache.last_valid_frame().unwrap()), (vec![], None));
     assert_eq!(Cache::open(folder.path()).unwrap().manifest().fingerprint, 8);
     assert_eq!(fs::read_to_string(stranger).unwrap(), "mine");
@@ -202,7 +224,7 @@ fn frames_of_another_scene_do_not_count_even_without_their_manifest() {
     cache(folder.path());
     fs::remove_file(folder.path().join("manifest.json")).unwrap();
     let changed = Film { fingerprint: 8, ..film() };
-    let cache = Cache::open_or_create(folder.path(), &changed, &tetrahedron()).unwrap();
+    let cache = Cache::open_or_create(folder.path(), &changed, &tetrahedron(), None).unwrap();
     assert_eq!(cache.last_valid_frame().unwrap(), None);
 }
 
@@ -217,26 +239,26 @@ fn manifests_of_other_versions_and_broken_ones_are_refused() {
     let path = folder.path().join("manifest.json");
     let good = fs::read_to_string(&path).unwrap();
     fs::write(&path, good.replace("\"format\": 1", "\"format\": 2")).unwrap();
-    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
     assert!(matches!(error, CacheError::Version { found: 2, .. }), "{error}");
     assert!(error.to_string().contains("it has format 2, this program reads format 1"), "{error}");
 
     for broken in [good.replace("test", "tset"), good[..good.len() / 2].to_owned(), String::new(), "{}".into()] {
         fs::write(&path, broken).unwrap();
-        let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+        let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
         assert!(matches!(error, CacheError::Damaged { .. }), "{error}");
         assert!(error.to_string().contains("--restart"), "{error}");
     }
     fs::write(&path, good).unwrap();
     fs::write(folder.path().join("mesh.npz"), "").unwrap();
-    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap_err();
+    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
     assert!(error.to_string().contains("mesh.npz: it is damaged"), "{error}");
 }
 
 #[test]
 fn frames_that_are_unfit_are_not_written() {
     let folder = tempfile::tempdir().unwrap();
-    let cache = Cache::open_or_create(folder.path(), &film(), &tetrahedron()).unwrap();
+    let cache = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
     let mut short = state(1);
     short.positions.pop();
     let mut diverged = state(1);
@@ -256,7 +278,7 @@ fn frames_that_are_unfit_are_not_written() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_cannot_be_written_is_an_error_with_a_path() {
-    let error = Cache::open_or_create(Path::new("/proc/immerse"), &film(), &tetrahedron()).unwrap_err();
+    let error = Cache::open_or_create(Path::new("/proc/immerse"), &film(), &tetrahedron(), None).unwrap_err();
     assert!(matches!(error, CacheError::Io { action: "created", .. }), "{error}");
     assert!(error.to_string().contains("/proc/immerse"), "{error}");
 }

@@ -26,7 +26,7 @@ fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 fn film(folder: &Path, checks: ChecksSection) -> Cache {
     let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]).unwrap();
     let film = Film { scene: "test".into(), fingerprint: 7, frame_count: 2, checks };
-    let cache = Cache::open_or_create(folder, &film, &mesh).unwrap();
+    let cache = Cache::open_or_create(folder, &film, &mesh, None).unwrap();
     for frame in [1, 2] {
         let report = FrameReport {
             frame,

@@ -1,8 +1,10 @@
 //! The folder of a film: what it holds, which frames are done, resuming and beginning anew.
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
+use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
 use super::FORMAT;
@@ -104,13 +106,19 @@ pub struct Cache {
 }
 
 impl Cache {
-    /// Opens the folder of a film to go on with it, or creates it.
+    /// Opens the folder of a film to go on with it, or creates it with the mesh and, if there are any, the places of
+    /// its vertices (|V|). A film that is gone on with keeps the places it began with.
     ///
     /// # Errors
     /// [`CacheError::OtherScene`] if the folder holds another film, or this film on another mesh; then
     /// nothing is changed. [`CacheError::Version`] and [`CacheError::Damaged`] if its manifest is not to
     /// be read.
-    pub fn open_or_create(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+    pub fn open_or_create(
+        folder: &Path,
+        film: &Film,
+        mesh: &Mesh,
+        places: Option<&[DVec3]>,
+    ) -> Result<Cache, CacheError> {
         let other = |found: String| CacheError::OtherScene { path: folder.to_owned(), found };
         match Cache::open(folder) {
             Ok(cache) if cache.manifest.fingerprint != film.fingerprint => {
@@ -125,7 +133,8 @@ impl Cache {
                 Err(other(format!("the scene `{}` on another mesh", cache.manifest.scene)))
             }
             // Names and checks may have changed; they decide no frame.
-            Ok(_) | Err(CacheError::NotAFilm { .. }) => Cache::create(folder, film, mesh),
+            Ok(cache) => Cache::begin(folder, film, cache.manifest.mesh, cache.manifest.mesh_crc32),
+            Err(CacheError::NotAFilm { .. }) => Cache::create(folder, film, mesh, places),
             Err(error) => Err(error),
         }
     }
@@ -135,7 +144,7 @@ impl Cache {
     ///
     /// # Errors
     /// [`CacheError::Io`]
-    pub fn restart(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+    pub fn restart(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
         let frames = folder.join("frames");
         if frames.is_dir() {
             let mut old = Vec::new();
@@ -151,28 +160,30 @@ impl Cache {
             old.sort_by_key(|path| (path.extension().map(ToOwned::to_owned), path.clone()));
             old.iter().try_for_each(|path| remove(path))?;
         }
-        Cache::create(folder, film, mesh)
+        Cache::create(folder, film, mesh, places)
     }
 
-    fn create(folder: &Path, film: &Film, mesh: &Mesh) -> Result<Cache, CacheError> {
+    fn create(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
+        fs::create_dir_all(folder).map_err(CacheError::io(folder, "created"))?;
+        let path = folder.join("mesh.npz");
+        let bytes = mesh_npz(mesh, places).map_err(CacheError::io(&path, "written"))?;
+        write_unless_same(&path, &bytes)?;
+        Cache::begin(folder, film, MeshCounts::of(mesh), crc32fast::hash(&bytes))
+    }
+
+    /// Writes the manifest of a film whose mesh is there.
+    fn begin(folder: &Path, film: &Film, mesh: MeshCounts, mesh_crc32: u32) -> Result<Cache, CacheError> {
         let frames = folder.join("frames");
         fs::create_dir_all(&frames).map_err(CacheError::io(&frames, "created"))?;
-        let path = folder.join("mesh.npz");
-        let mut file = ArrayWriter::new();
-        let bytes = file
-            .array("triangles", &[mesh.face_count() as u64, 3], mesh.triangles().into_iter().flatten())
-            .and_then(|()| file.finish())
-            .map_err(CacheError::io(&path, "written"))?;
         let manifest = Manifest {
             format: FORMAT,
             scene: film.scene.clone(),
             fingerprint: film.fingerprint,
             frame_count: film.frame_count,
-            mesh: MeshCounts::of(mesh),
-            mesh_crc32: crc32fast::hash(&bytes),
+            mesh,
+            mesh_crc32,
             checks: film.checks.clone(),
         };
-        write_unless_same(&path, &bytes)?;
         let path = folder.join("manifest.json");
         write_unless_same(&path, &sealed(&path, &manifest)?)?;
         Ok(Cache { folder: folder.to_owned(), manifest })
@@ -205,16 +216,33 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Damaged`] if the mesh is not what was written.
     pub fn triangles(&self) -> Result<Vec<[u32; 3]>, CacheError> {
+        let faces = self.manifest.mesh.faces as u64;
+        let corners = self.read_mesh(|file| file.array::<u32>("triangles", &[faces, 3]))?;
+        Ok(corners.as_chunks().0.to_vec())
+    }
+
+    /// What x, y and z of each vertex mean in the scene; `None` if the mesh has no places, or the film was begun when
+    /// they were not kept.
+    ///
+    /// # Errors
+    /// [`CacheError::Damaged`] if the mesh is not what was written.
+    pub fn places(&self) -> Result<Option<Vec<DVec3>>, CacheError> {
+        let vertices = self.manifest.mesh.vertices as u64;
+        let places = self.read_mesh(|file| match file.has("places") {
+            true => file.array::<f64>("places", &[vertices, 3]).map(Some),
+            false => Ok(None),
+        })?;
+        Ok(places.map(|places| places.as_chunks().0.iter().map(|&place| DVec3::from_array(place)).collect()))
+    }
+
+    fn read_mesh<T>(&self, arrays: impl FnOnce(&mut ArrayReader) -> Result<T, String>) -> Result<T, CacheError> {
         let path = self.folder.join("mesh.npz");
         let damaged = |reason: String| CacheError::Damaged { path: path.clone(), reason, remedy: RESTART };
         let bytes = read(&path)?.ok_or_else(|| damaged("it is not there".into()))?;
         if crc32fast::hash(&bytes) != self.manifest.mesh_crc32 {
             return Err(damaged("its checksum does not match".into()));
         }
-        let corners = ArrayReader::new(&bytes)
-            .and_then(|mut file| file.array::<u32>("triangles", &[self.manifest.mesh.faces as u64, 3]))
-            .map_err(damaged)?;
-        Ok(corners.as_chunks().0.to_vec())
+        ArrayReader::new(&bytes).and_then(|mut file| arrays(&mut file)).map_err(damaged)
     }
 
     /// Writes a frame, replacing the one that may be there.
@@ -323,6 +351,15 @@ impl Cache {
     fn record_path(&self, frame: usize) -> PathBuf {
         self.folder.join(format!("frames/{frame:06}.json"))
     }
+}
+
+fn mesh_npz(mesh: &Mesh, places: Option<&[DVec3]>) -> io::Result<Vec<u8>> {
+    let mut file = ArrayWriter::new();
+    file.array("triangles", &[mesh.face_count() as u64, 3], mesh.triangles().into_iter().flatten())?;
+    if let Some(places) = places {
+        file.array("places", &[places.len() as u64, 3], places.iter().flat_map(|place| place.to_array()))?;
+    }
+    file.finish()
 }
 
 fn frame_number(path: &Path) -> Option<usize> {

@@ -87,6 +87,11 @@ impl<'b> ArrayReader<'b> {
         ZipArchive::new(Cursor::new(bytes)).map(ArrayReader).map_err(|error| error.to_string())
     }
 
+    /// Whether there is an array of that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.0.index_for_name(&format!("{name}.npy")).is_some()
+    }
+
     /// The entries of an array that must have this shape.
     pub fn array<T: Element>(&mut self, name: &str, shape: &[u64]) -> Result<Vec<T>, String> {
         let size = size_of::<T>();

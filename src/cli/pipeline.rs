@@ -131,10 +131,11 @@ pub(super) fn simulate(
     Picture::of(scene)?; // nothing is computed for a picture that cannot be made
     simulation.repairs.iter().for_each(|repair| progress.note(repair));
     let film = Film::of(scene);
+    let places = simulation.mesh_places.as_deref();
     let cache = if restart {
-        Cache::restart(folder, &film, &simulation.mesh)?
+        Cache::restart(folder, &film, &simulation.mesh, places)?
     } else {
-        Cache::open_or_create(folder, &film, &simulation.mesh)?
+        Cache::open_or_create(folder, &film, &simulation.mesh, places)?
     };
     let kept = cache.last_valid_frame()?.unwrap_or(0);
     let mut restarts = 0;

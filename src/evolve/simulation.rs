@@ -18,6 +18,8 @@ pub struct Simulation {
     pub mesh: Mesh,
     /// What had to be repaired in the mesh, in words.
     pub repairs: Vec<String>,
+    /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
+    pub mesh_places: Option<Vec<DVec3>>,
     /// Edge lengths and what they determine, now.
     pub metric: Metric,
     /// Generators of the homology.
@@ -126,6 +128,7 @@ impl Simulation {
             }
         };
         let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
+        let mesh_places = surface.places().map(<[DVec3]>::to_vec);
         let Surface { mesh, positions, repairs, .. } = surface;
         let positions = positions.as_deref();
         let homology = Homology::new(&mesh, &metric);
@@ -145,6 +148,7 @@ impl Simulation {
         Ok(Simulation {
             mesh,
             repairs,
+            mesh_places,
             metric,
             homology,
             spin,

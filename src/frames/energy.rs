@@ -45,12 +45,17 @@ fn axes(hinge: &Hinge) -> [DQuat; 4] {
 
 /// ℰ_ε(λ) (Eq. 39), every interior edge once. Includes the length term ε_0, which vanishes on unit frames.
 pub fn energy(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> f64 {
+    hinge_energies(shell, stiffness, frames).iter().sum()
+}
+
+/// The terms of [`energy`], in hinge order.
+pub fn hinge_energies(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> Vec<f64> {
     let of_hinge = |hinge: &Hinge| {
         let strain = Strain::new(hinge, hinge.transport, frames);
         let terms = axes(hinge).map(|u| strain.along(u).powi(2));
         0.5 * hinge.weight * (0..4).map(|k| stiffness[k] * terms[k]).sum::<f64>()
     };
-    shell.hinges.iter().map(of_hinge).sum()
+    shell.hinges.iter().map(of_hinge).collect()
 }
 
 /// How far a crease is beyond [`CREASE_ANGLE`], as a bending strain with sign; 0 if it is not.

@@ -6,7 +6,9 @@ mod start;
 mod step;
 mod system;
 
-pub use energy::{CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, strains};
+pub use energy::{
+    CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains,
+};
 pub use shell::{Hinge, Shell};
 pub use start::{random_frames, spectral_frames};
 pub use step::{Method, StepOptions, Stepper};

@@ -2,8 +2,11 @@
 
 mod alignment;
 mod bending;
+mod conformal_factor;
+mod curvature;
 mod deform;
 mod edge_vectors;
+mod fields;
 mod initial_shape;
 mod measure;
 mod pins;
@@ -13,8 +16,11 @@ mod spin_of_immersion;
 
 pub use alignment::RigidMotion;
 pub use bending::{BendingError, TargetBending};
+pub use conformal_factor::ConformalFactor;
+pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
+pub use fields::{FieldInput, FieldValues, Fields};
 pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
     LengthError, bending_angles, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,

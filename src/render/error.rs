@@ -70,6 +70,16 @@ pub enum RenderError {
         /// What the system or the decoder said.
         reason: String,
     },
+    /// A label cannot be filled in.
+    #[error("[[look.text]] text = {text:?} {reason}; {remedy}")]
+    Label {
+        /// The label as given.
+        text: String,
+        /// What is wrong with it.
+        reason: String,
+        /// What to write instead.
+        remedy: String,
+    },
     /// The picture has no pixels or too many.
     #[error("[output] size = [{width}, {height}] is not possible; each side is at least 1 and at most {limit} pixels")]
     Size {

@@ -1,0 +1,129 @@
+//! Quantities of a frame that can be seen: errors, curvatures, energies.
+
+use super::{ConformalFactor, bending_angles, gaussian_curvatures, length_errors, mean_curvatures};
+use crate::algebra::CholeskyError;
+use crate::frames::{Shell, Stiffness, hinge_energies};
+use crate::mesh::{EdgeId, FaceId, Mesh};
+use crate::metric::Metric;
+use crate::scene::FieldName;
+use crate::spin::{Homology, SpinStructure};
+use glam::{DQuat, DVec3};
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+/// Values of a quantity and where they are.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FieldValues {
+    /// One per triangle.
+    PerFace(Vec<f32>),
+    /// One per vertex, linear on triangles.
+    PerVertex(Vec<f32>),
+}
+
+impl FieldValues {
+    /// The values in order, wherever they are.
+    pub fn all(&self) -> &[f32] {
+        match self {
+            FieldValues::PerFace(values) | FieldValues::PerVertex(values) => values,
+        }
+    }
+}
+
+/// The frame of a film whose fields are wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct FieldInput<'a> {
+    /// Edge lengths that are asked for.
+    pub metric: &'a Metric,
+    /// Vertex positions, |V|.
+    pub positions: &'a [DVec3],
+    /// Unit quaternions, |F|.
+    pub frames: &'a [DQuat],
+    /// The spin connection of the metric.
+    pub spin: &'a SpinStructure,
+}
+
+/// Computes fields of the frames of a film. What they share is made when it is first asked for.
+#[derive(Debug)]
+pub struct Fields<'m> {
+    mesh: &'m Mesh,
+    first: Metric,
+    stiffness: Stiffness,
+    scale: OnceLock<Result<ConformalFactor, CholeskyError>>,
+    strips: OnceLock<Vec<f32>>,
+}
+
+impl<'m> Fields<'m> {
+    /// For a film whose first frame has the metric `first`, and whose energy is measured with `stiffness`: that of its
+    /// last phase, as in the reports of frames.
+    pub fn new(mesh: &'m Mesh, first: Metric, stiffness: Stiffness) -> Fields<'m> {
+        Fields { mesh, first, stiffness, scale: OnceLock::new(), strips: OnceLock::new() }
+    }
+
+    /// The values of a field on a frame:
+    ///
+    /// - length error: percent, per face, root mean square over its edges;
+    /// - Gaussian curvature: [`gaussian_curvatures`]; mean curvature: [`mean_curvatures`]; both per vertex;
+    /// - conformal factor: [`ConformalFactor`] against the first frame, per vertex;
+    /// - energy density: per face, half the energy of its hinges (Eq. 39, with no target bending angles) over its area;
+    /// - bending angle: degrees, per face, root mean square over its interior edges;
+    /// - generators: per face, the number from 1 of the strip through it, the lowest of several, or 0.
+    ///
+    /// # Errors
+    /// [`CholeskyError`] if the memory does not suffice for a conformal factor.
+    pub fn of(&self, name: FieldName, frame: &FieldInput) -> Result<FieldValues, CholeskyError> {
+        let FieldInput { metric, positions, frames, spin } = *frame;
+        let mesh = self.mesh;
+        Ok(match name {
+            FieldName::LengthError => {
+                let errors = length_errors(mesh, metric, positions);
+                self.per_face(|f| 100.0 * self.mean_square(f, |e| Some(errors[e.index()])).sqrt())
+            }
+            FieldName::GaussianCurvature => per_vertex(&gaussian_curvatures(mesh, metric)),
+            FieldName::MeanCurvature => per_vertex(&mean_curvatures(mesh, positions)),
+            FieldName::ConformalFactor => {
+                let first = || self.first.edge_lengths().to_vec();
+                let scale = self.scale.get_or_init(|| ConformalFactor::new(mesh, first())).as_ref();
+                per_vertex(&scale.map_err(Clone::clone)?.of(mesh, metric.edge_lengths()))
+            }
+            FieldName::EnergyDensity => {
+                let shell = Shell::new(mesh, metric, spin, None);
+                let energies = hinge_energies(&shell, self.stiffness, frames);
+                self.per_face(|f| {
+                    let hinges = shell.face_hinges[f.index()].iter().flatten();
+                    0.5 * hinges.map(|&(hinge, _)| energies[hinge as usize]).sum::<f64>() / metric.area(f)
+                })
+            }
+            FieldName::BendingAngle => {
+                let angles = bending_angles(mesh, positions);
+                let inner = |e: EdgeId| (!mesh.is_boundary_edge(e)).then(|| angles[e.index()]);
+                self.per_face(|f| self.mean_square(f, inner).sqrt().to_degrees())
+            }
+            FieldName::Generators => FieldValues::PerFace(self.strips.get_or_init(|| self.strip_numbers()).clone()),
+        })
+    }
+
+    fn per_face(&self, value: impl Fn(FaceId) -> f64 + Sync) -> FieldValues {
+        let faces = (0..self.mesh.face_count()).into_par_iter().with_min_len(1024);
+        FieldValues::PerFace(faces.map(|f| value(FaceId::new(f)) as f32).collect())
+    }
+
+    /// Over the edges of a face that have a value; 0 if none has.
+    fn mean_square(&self, f: FaceId, value: impl Fn(EdgeId) -> Option<f64>) -> f64 {
+        let values = f.halfedges().into_iter().filter_map(|h| value(self.mesh.edge(h)));
+        let (sum, count) = values.fold((0.0, 0), |(sum, count), x| (sum + x * x, count + 1));
+        if count > 0 { sum / f64::from(count) } else { 0.0 }
+    }
+
+    fn strip_numbers(&self) -> Vec<f32> {
+        let mut numbers = vec![0.0; self.mesh.face_count()];
+        let homology = Homology::new(self.mesh, &self.first);
+        for (k, generator) in homology.generators().iter().enumerate().rev() {
+            generator.strip.exits().iter().for_each(|h| numbers[h.face().index()] = (k + 1) as f32);
+        }
+        numbers
+    }
+}
+
+fn per_vertex(values: &[f64]) -> FieldValues {
+    FieldValues::PerVertex(values.iter().map(|&value| value as f32).collect())
+}
