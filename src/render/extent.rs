@@ -47,7 +47,15 @@ impl Extent {
         self.sum += other.sum;
         self.squares += other.squares;
         self.cubes += other.cubes;
-        self.outermost.extend_from_slice(&other.outermost);
+        if self.outermost.is_empty() {
+            self.outermost.clone_from(&other.outermost);
+        }
+        for (index, (best, &point)) in self.outermost.iter_mut().zip(&other.outermost).enumerate() {
+            let direction = fibonacci_direction(index, DIRECTIONS);
+            if point.dot(direction) > best.dot(direction) {
+                *best = point;
+            }
+        }
     }
 
     /// The outermost points, which stand for the convex hull.

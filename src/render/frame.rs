@@ -50,7 +50,7 @@ pub fn render(
         pattern,
         shader: Shader { stage: &stage, visibility: &visibility, camera, lights, look, output },
     };
-    Ok(frame.film())
+    Ok(frame.film().cropped(output.window()))
 }
 
 /// What tiles are made from.
@@ -175,6 +175,8 @@ impl Frame<'_> {
         let mut film = Film {
             width,
             height,
+            whole: [width, height],
+            corner: [0, 0],
             background: gradient(look.background, height),
             beauty: Vec::with_capacity(width * height),
             layers: None,
