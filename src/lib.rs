@@ -37,4 +37,6 @@ pub mod evolve;
 pub mod cache;
 pub mod render;
 
+pub mod movie;
+
 pub mod cli;

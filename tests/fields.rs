@@ -40,7 +40,7 @@ impl State {
     }
 
     fn field(&self, mesh: &Mesh, name: FieldName) -> FieldValues {
-        Fields::new(mesh, self.metric.clone(), STIFFNESS).of(name, &self.input()).unwrap()
+        Fields::new(std::sync::Arc::new(mesh.clone()), self.metric.clone(), STIFFNESS).of(name, &self.input()).unwrap()
     }
 }
 
@@ -106,7 +106,9 @@ fn a_scaled_surface_has_the_scale_as_length_error() {
     let height = (1.0_f64 - 0.65 * 0.65).sqrt();
     state.positions = vec![DVec3::ZERO, DVec3::new(1.3, 0.0, 0.0), DVec3::new(0.65, height, 0.0)];
     let input = FieldInput { metric: &metric, positions: &state.positions, ..state.input() };
-    let errors = Fields::new(&triangle, metric.clone(), STIFFNESS).of(FieldName::LengthError, &input).unwrap();
+    let errors = Fields::new(std::sync::Arc::new(triangle.clone()), metric.clone(), STIFFNESS)
+        .of(FieldName::LengthError, &input)
+        .unwrap();
     assert_all(&doubles(&errors), 30.0 / 3.0_f64.sqrt(), 1e-5);
 }
 

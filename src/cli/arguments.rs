@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
-use super::FrameRange;
+use super::picture_options::PictureOptions;
 
 /// Shape from metric: give a surface its edge lengths, get its shape; let the metric change, get the film.
 #[derive(Debug, Parser)]
@@ -27,7 +27,12 @@ const EXIT_CODES: &str =
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
     /// Simulate (going on where an interrupted run stopped), render, and verify the scene's checks
-    Run(Film),
+    Run {
+        #[command(flatten)]
+        film: Film,
+        #[command(flatten)]
+        pictures: PictureOptions,
+    },
     /// Compute the frames
     Simulate {
         #[command(flatten)]
@@ -40,9 +45,20 @@ pub(super) enum Command {
     Render {
         #[command(flatten)]
         film: Film,
-        /// Which frames, as in 1-20,30-40:2 [default: all]
-        #[arg(long, value_name = "RANGE")]
-        frames: Option<FrameRange>,
+        #[command(flatten)]
+        pictures: PictureOptions,
+    },
+    /// Make one picture of each scene: simulate where that was not done, and show the film as a whole
+    Gallery {
+        /// The scene files [default: scenes/*.toml; those whose input is not there are skipped]
+        #[arg(value_name = "SCENES")]
+        scenes: Vec<PathBuf>,
+        /// Folder for the pictures
+        #[arg(long, value_name = "DIR", default_value = "renders")]
+        out: PathBuf,
+        /// Folder for the films
+        #[arg(long, value_name = "DIR", default_value = "target/gallery")]
+        work: PathBuf,
     },
     /// Validate a scene and all it names, and touch nothing
     Check(SceneFile),

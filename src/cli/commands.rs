@@ -11,7 +11,9 @@ use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
+use super::gallery::gallery;
 use super::inspect::Inspection;
+use super::picture_options::PictureOptions;
 use super::pipeline::{self, PipelineError, Summary};
 use super::progress::Bar;
 use crate::cache::CacheError;
@@ -37,7 +39,7 @@ pub fn main() -> ExitCode {
 
 /// Why a command failed.
 #[derive(Debug, thiserror::Error)]
-enum Failure {
+pub(super) enum Failure {
     #[error(transparent)]
     Pipeline(#[from] PipelineError),
     #[error("--frames: {0}")]
@@ -46,6 +48,8 @@ enum Failure {
     Output(#[from] io::Error),
     #[error("{}: cannot be written ({source}); choose another name or folder", path.display())]
     New { path: PathBuf, source: io::Error },
+    #[error("{}: this folder cannot be used ({source}); name another one, or go where it is", path.display())]
+    Folder { path: PathBuf, source: io::Error },
     #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
     Threads(#[from] rayon::ThreadPoolBuildError),
     /// Has been said already.
@@ -71,7 +75,11 @@ fn report(outcome: Result<(), Failure>) -> ExitCode {
     match failure {
         Failure::Pipeline(error) if !error.is_fault_of_input() => ExitCode::from(1),
         Failure::Output(_) | Failure::NotWell => ExitCode::from(1),
-        Failure::Pipeline(_) | Failure::Frames(_) | Failure::New { .. } | Failure::Threads(_) => ExitCode::from(2),
+        Failure::Pipeline(_)
+        | Failure::Frames(_)
+        | Failure::New { .. }
+        | Failure::Folder { .. }
+        | Failure::Threads(_) => ExitCode::from(2),
     }
 }
 
@@ -85,7 +93,7 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     let mut progress = Bar::new(arguments.quiet);
     match &arguments.command {
-        Command::Run(film) => run(film, &mut progress, &mut out),
+        Command::Run { film, pictures } => run(film, pictures, &mut progress, &mut out),
         Command::Simulate { film, restart } => {
             let (scene, folder) = open(film)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
@@ -94,16 +102,14 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             progress.clear();
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
-        Command::Render { film, frames } => {
-            let (scene, folder) = open(film)?;
-            let frames = match frames {
-                Some(range) => range.frames(scene.clock.frames)?,
-                None => (1..=scene.clock.frames).collect(),
-            };
+        Command::Render { film, pictures } => {
+            let (mut scene, folder) = open(film)?;
+            let frames = pictures.apply(&mut scene)?;
             let summary = pipeline::render_frames(&scene, &folder, &frames, &mut progress)?;
             progress.clear();
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
+        Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
         Command::Check(file) => {
             let scene = read(file)?;
             for note in pipeline::check(&scene)? {
@@ -142,10 +148,10 @@ fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
     Ok((scene, folder))
 }
 
-fn run(film: &Film, progress: &mut Bar, out: &mut impl Write) -> Result<(), Failure> {
-    let (scene, folder) = open(film)?;
+fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut impl Write) -> Result<(), Failure> {
+    let (mut scene, folder) = open(film)?;
+    let frames = pictures.apply(&mut scene)?;
     let simulated = pipeline::simulate(&scene, &folder, false, progress)?;
-    let frames: Vec<usize> = (1..=scene.clock.frames).collect();
     let rendered = pipeline::render_frames(&scene, &folder, &frames, progress)?;
     let inspection = Inspection::of(&folder)?;
     write_curves_of_film(&folder, &inspection)?;

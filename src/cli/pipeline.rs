@@ -1,15 +1,14 @@
 //! From a scene to frames and from frames to pictures.
 
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use super::Progress;
 use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
 use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation};
-use crate::mesh::Mesh;
-use crate::render::{Camera, Extent, Lights, Look, Output, RenderError, Scenery, render};
+use crate::movie::{self, MovieError, Plan};
 use crate::scene::{Scene, SceneError, SceneErrors};
 use crate::spin::SpinStructure;
 
@@ -25,17 +24,18 @@ pub enum PipelineError {
     /// The folder of the film is at fault.
     #[error(transparent)]
     Cache(#[from] CacheError),
-    /// The picture cannot be made.
+    /// Pictures cannot be made.
     #[error(transparent)]
-    Render(#[from] RenderError),
-    /// Pictures are wanted of a frame that has not been computed.
-    #[error("{}: frame {frame} has not been computed; run `immerse simulate` first", folder.display())]
-    NoSuchFrame {
-        /// The film.
-        folder: PathBuf,
-        /// The frame.
-        frame: usize,
-    },
+    Movie(MovieError),
+}
+
+impl From<MovieError> for PipelineError {
+    fn from(error: MovieError) -> Self {
+        match error {
+            MovieError::Scene(errors) => PipelineError::Scene(errors),
+            other => PipelineError::Movie(other),
+        }
+    }
 }
 
 impl From<SceneError> for PipelineError {
@@ -48,9 +48,9 @@ impl PipelineError {
     /// Whether another input would help, rather than another machine or another try.
     pub fn is_fault_of_input(&self) -> bool {
         match self {
-            PipelineError::Scene(_) | PipelineError::NoSuchFrame { .. } => true,
+            PipelineError::Scene(_) => true,
             PipelineError::Cache(error) => !matches!(error, CacheError::Io { .. } | CacheError::Unfit { .. }),
-            PipelineError::Render(error) => !matches!(error, RenderError::Write { .. }),
+            PipelineError::Movie(error) => error.is_fault_of_input(),
             PipelineError::Evolve(_) => false,
         }
     }
@@ -69,7 +69,7 @@ pub struct Summary {
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let mut simulation = set_up(scene)?;
     simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
-    let picture = Picture::of(scene)?;
+    let [width, height] = Plan::of(scene)?.size();
     let mesh = &simulation.mesh;
     let mut notes = vec![format!(
         "{} vertices, {} edges, {} faces, genus {}, {} boundary loops, {} components",
@@ -95,7 +95,7 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
         notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices", cycle.len()));
     }
     notes.extend(simulation.repairs.iter().cloned());
-    notes.push(format!("pictures of {} x {} pixels", picture.output.width(), picture.output.height()));
+    notes.push(format!("pictures of {width} x {height} pixels"));
     Ok(notes)
 }
 
@@ -128,7 +128,7 @@ pub(super) fn simulate(
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
     let mut simulation = set_up(scene)?;
-    Picture::of(scene)?; // nothing is computed for a picture that cannot be made
+    Plan::of(scene)?; // nothing is computed for a picture that cannot be made
     simulation.repairs.iter().for_each(|repair| progress.note(repair));
     let film = Film::of(scene);
     let places = simulation.mesh_places.as_deref();
@@ -209,90 +209,32 @@ impl Observer for Watcher<'_> {
     }
 }
 
-/// What a scene says of its pictures, validated.
-struct Picture {
-    look: Look,
-    lights: Lights,
-    output: Output,
-}
-
-impl Picture {
-    fn of(scene: &Scene) -> Result<Picture, RenderError> {
-        Ok(Picture {
-            look: Look::from_scene(&scene.look, &scene.folder)?,
-            lights: Lights::from_scene(&scene.lights)?,
-            output: Output::from_scene(&scene.output)?,
-        })
-    }
-}
-
-/// Makes pictures of computed frames, given by number in order.
+/// Makes the pictures that the scene asks for of computed frames, given by number in order.
 pub(super) fn render_frames(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
     progress: &mut dyn Progress,
 ) -> Result<Summary, PipelineError> {
-    let Picture { look, lights, output } = Picture::of(scene)?;
-    let cache = Cache::open(folder)?;
-    let triangles = cache.triangles()?;
-    let ready = cache.last_valid_frame()?.unwrap_or(0);
-    if let Some(&frame) = frames.iter().find(|&&frame| frame > ready) {
-        return Err(PipelineError::NoSuchFrame { folder: folder.to_owned(), frame });
-    }
-    let vertices = cache.manifest().mesh.vertices;
-    let mesh = Mesh::from_faces(vertices, &triangles).map_err(|error| CacheError::Damaged {
-        path: folder.to_owned(),
-        reason: error.to_string(),
-        remedy: "run `immerse simulate --restart`",
-    })?;
-    let ends = |e: crate::mesh::EdgeId| mesh.edge_vertices(e).map(|v| v.0);
-    let boundary: Vec<[u32; 2]> = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(ends).collect();
+    let made = movie::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
+    Ok(Summary { made, kept: 0 })
+}
 
-    progress.begin("camera", Some(ready));
-    let mut extent: Option<Extent> = None;
-    for frame in 1..=ready {
-        let of_frame = Extent::of(&cache.read_frame(frame)?.positions);
-        match &mut extent {
-            Some(extent) => extent.merge(&of_frame),
-            None => extent = Some(of_frame),
-        }
-        progress.advance(frame, None);
-    }
-    let Some(extent) = extent else { return Ok(Summary::default()) };
-    let camera = Camera::framing(&scene.camera, &extent, &output)?;
+/// Simulates a scene where it was not, and makes one picture that shows its film as a whole.
+pub(super) fn poster(
+    scene: &Scene,
+    folder: &Path,
+    path: &Path,
+    progress: &mut dyn Progress,
+) -> Result<(), PipelineError> {
+    simulate(scene, folder, false, progress)?;
+    Ok(movie::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
+}
 
-    progress.begin("render", Some(frames.len()));
-    for (done, &frame) in frames.iter().enumerate() {
-        let state = cache.read_frame(frame)?;
-        let rims: Vec<[u32; 2]> = mesh.edges().filter(|e| state.rims[e.index()]).map(ends).collect();
-        let pinch_points: Vec<u32> =
-            crate::immersion::pinch_points(&mesh, &state.positions).into_iter().map(|v| v.0).collect();
-        let scenery = Scenery {
-            triangles: &triangles,
-            positions: &state.positions,
-            rims: &rims,
-            boundary: &boundary,
-            pinch_points: &pinch_points,
-            ground: Some(crate::render::Plane {
-                normal: glam::DVec3::Z,
-                offset: state.positions.iter().map(|p| p.z).fold(f64::MAX, f64::min),
-            }),
-            ..Scenery::default()
-        };
-        let film = render(&scenery, &camera, &lights, &look, &output)?;
-        if film.skipped_triangles() > 0 {
-            progress
-                .note(&format!("frame {frame}: {} triangles have no area and are not drawn", film.skipped_triangles()));
-        }
-        let name = folder.join(format!("{frame:06}"));
-        if scene.output.png {
-            film.write_png(&name.with_extension("png"))?;
-        }
-        if scene.output.exr {
-            film.write_exr(&name.with_extension("exr"))?;
-        }
-        progress.advance(done + 1, None);
+fn pass_on(event: movie::Event, progress: &mut dyn Progress) {
+    match event {
+        movie::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
+        movie::Event::Done(done) => progress.advance(done, None),
+        movie::Event::Note(text) => progress.note(&text),
     }
-    Ok(Summary { made: frames.len(), kept: 0 })
 }

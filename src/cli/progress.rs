@@ -5,7 +5,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Is told how far a run is.
-pub trait Progress {
+pub trait Progress: Send {
     /// A stage begins: its name, and how many parts it has if that is known.
     fn begin(&mut self, stage: &str, parts: Option<usize>);
 

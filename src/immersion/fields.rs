@@ -9,7 +9,7 @@ use crate::scene::FieldName;
 use crate::spin::{Homology, SpinStructure};
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Values of a quantity and where they are.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,18 +44,18 @@ pub struct FieldInput<'a> {
 
 /// Computes fields of the frames of a film. What they share is made when it is first asked for.
 #[derive(Debug)]
-pub struct Fields<'m> {
-    mesh: &'m Mesh,
+pub struct Fields {
+    mesh: Arc<Mesh>,
     first: Metric,
     stiffness: Stiffness,
     scale: OnceLock<Result<ConformalFactor, CholeskyError>>,
     strips: OnceLock<Vec<f32>>,
 }
 
-impl<'m> Fields<'m> {
+impl Fields {
     /// For a film whose first frame has the metric `first`, and whose energy is measured with `stiffness`: that of its
     /// last phase, as in the reports of frames.
-    pub fn new(mesh: &'m Mesh, first: Metric, stiffness: Stiffness) -> Fields<'m> {
+    pub fn new(mesh: Arc<Mesh>, first: Metric, stiffness: Stiffness) -> Fields {
         Fields { mesh, first, stiffness, scale: OnceLock::new(), strips: OnceLock::new() }
     }
 
@@ -72,7 +72,7 @@ impl<'m> Fields<'m> {
     /// [`CholeskyError`] if the memory does not suffice for a conformal factor.
     pub fn of(&self, name: FieldName, frame: &FieldInput) -> Result<FieldValues, CholeskyError> {
         let FieldInput { metric, positions, frames, spin } = *frame;
-        let mesh = self.mesh;
+        let mesh = self.mesh.as_ref();
         Ok(match name {
             FieldName::LengthError => {
                 let errors = length_errors(mesh, metric, positions);
@@ -116,7 +116,7 @@ impl<'m> Fields<'m> {
 
     fn strip_numbers(&self) -> Vec<f32> {
         let mut numbers = vec![0.0; self.mesh.face_count()];
-        let homology = Homology::new(self.mesh, &self.first);
+        let homology = Homology::new(&self.mesh, &self.first);
         for (k, generator) in homology.generators().iter().enumerate().rev() {
             generator.strip.exits().iter().for_each(|h| numbers[h.face().index()] = (k + 1) as f32);
         }

@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::mesh::Mesh;
 use crate::render::{Field, FieldValues};
-use crate::scene::{MeshSection, PatternAlong};
+use crate::scene::{MeshSection, PatternAlong, Shape};
 use crate::timeline::{Formula, Parameters, TimelineError};
 
 /// What is known of the mesh apart from its shape in space.
@@ -72,7 +72,7 @@ impl Chart<'_> {
 
     /// Parts of the way along the lattice vectors of a flat torus.
     fn lattice(&self) -> Option<impl Fn(DVec3) -> [f64; 2]> {
-        let MeshSection::FlatTorus { a, b, .. } = *self.section else { return None };
+        let MeshSection::Shape(Shape::FlatTorus { a, b, .. }) = *self.section else { return None };
         let (a, b) = (glam::DVec2::from(a), glam::DVec2::from(b));
         let area = a.perp_dot(b);
         Some(move |place: DVec3| [place.truncate().perp_dot(b) / area, a.perp_dot(place.truncate()) / area])
@@ -131,10 +131,5 @@ fn spread(values: Vec<f64>, count: usize) -> Field {
 /// Parts of the way around, as `count` periods.
 fn around(parts: impl Iterator<Item = f64>, count: usize) -> Field {
     let values = parts.map(|part| ((part - part.floor()) * count as f64) as f32).collect();
-    Field {
-        name: "pattern".into(),
-        unit: "",
-        values: FieldValues::PerVertex(values),
-        period: Some(count as f32),
-    }
+    Field { name: "pattern".into(), unit: "", values: FieldValues::PerVertex(values), period: Some(count as f32) }
 }

@@ -8,6 +8,10 @@ use super::Film;
 /// pixels from the upper left corner, y down; the middle of the first pixel is (0.5, 0.5).
 #[derive(Debug)]
 pub struct Canvas<'a> {
+    /// Size of the whole picture.
+    pub(super) whole: [usize; 2],
+    /// Where the part that the pixels are of begins, and its size.
+    pub(super) corner: [usize; 2],
     pub(super) width: usize,
     pub(super) height: usize,
     pub(super) pixels: &'a mut [Vec4],
@@ -16,11 +20,12 @@ pub struct Canvas<'a> {
 impl Canvas<'_> {
     /// Pixels across and down.
     pub(super) fn size(&self) -> Vec2 {
-        Vec2::new(self.width as f32, self.height as f32)
+        Vec2::from(self.whole.map(|side| side as f32))
     }
 
     /// Lays a colour over a share of a pixel. Pixels outside are left out.
     pub(super) fn blend(&mut self, x: i64, y: i64, color: Vec3, share: f32) {
+        let (x, y) = (x - self.corner[0] as i64, y - self.corner[1] as i64);
         if (0..self.width as i64).contains(&x) && (0..self.height as i64).contains(&y) {
             let pixel = &mut self.pixels[y as usize * self.width + x as usize];
             *pixel = color.extend(1.0) * share + *pixel * (1.0 - share);
@@ -68,6 +73,12 @@ pub(super) fn rounded([low, high]: [Vec2; 2], radius: f32) -> impl Fn(Vec2) -> f
 impl Film {
     /// The picture to draw on.
     pub(super) fn canvas(&mut self) -> Canvas<'_> {
-        Canvas { width: self.width, height: self.height, pixels: &mut self.beauty }
+        Canvas {
+            whole: self.whole,
+            corner: self.corner,
+            width: self.width,
+            height: self.height,
+            pixels: &mut self.beauty,
+        }
     }
 }

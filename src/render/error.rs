@@ -39,6 +39,9 @@ pub enum RenderError {
         /// What to write instead.
         remedy: &'static str,
     },
+    /// The keys of the camera are unusable.
+    #[error("[[camera.key]]: {0}")]
+    CameraKeys(#[from] crate::timeline::TimelineError),
     /// No frame has a finite position, so there is nothing to point the camera at.
     #[error("none of the positions is finite, so there is nothing to look at; check the simulation that made them")]
     NothingToFrame,
@@ -89,6 +92,18 @@ pub enum RenderError {
         height: usize,
         /// The most a side may have.
         limit: usize,
+    },
+    /// The part that is wanted is none of the picture.
+    #[error(
+        "crop {window:?} (x, y, width, height) does not lie in the picture of {width} x {height} pixels; write a part of it"
+    )]
+    Crop {
+        /// The part.
+        window: [usize; 4],
+        /// Pixels across.
+        width: usize,
+        /// Pixels down.
+        height: usize,
     },
     /// There is no pattern of so many samples.
     #[error("[output] samples = {0} is not available; write 1, 4, 8 or 16")]

@@ -47,12 +47,25 @@ impl Extent {
         self.sum += other.sum;
         self.squares += other.squares;
         self.cubes += other.cubes;
-        self.outermost.extend_from_slice(&other.outermost);
+        if self.outermost.is_empty() {
+            self.outermost.clone_from(&other.outermost);
+        }
+        for (index, (best, &point)) in self.outermost.iter_mut().zip(&other.outermost).enumerate() {
+            let direction = fibonacci_direction(index, DIRECTIONS);
+            if point.dot(direction) > best.dot(direction) {
+                *best = point;
+            }
+        }
     }
 
     /// The outermost points, which stand for the convex hull.
     pub(super) fn outermost(&self) -> &[DVec3] {
         &self.outermost
+    }
+
+    /// The least height along a direction; 0 if there is nothing.
+    pub fn lowest(&self, up: DVec3) -> f64 {
+        self.outermost.iter().map(|point| point.dot(up)).reduce(f64::min).unwrap_or(0.0)
     }
 
     /// Middle of the box around the outermost points, and their greatest distance from it.

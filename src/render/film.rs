@@ -4,10 +4,6 @@ use std::{
 };
 
 use glam::{Vec2, Vec3, Vec4};
-use image::{
-    ExtendedColorType, ImageEncoder,
-    codecs::png::{CompressionType, FilterType, PngEncoder},
-};
 use rayon::prelude::*;
 
 use super::{RenderError, color::srgb_from_linear};
@@ -17,6 +13,10 @@ use super::{RenderError, color::srgb_from_linear};
 pub struct Film {
     pub(super) width: usize,
     pub(super) height: usize,
+    /// Size of the picture of which this may be a part.
+    pub(super) whole: [usize; 2],
+    /// Where the upper left corner of this part lies in it.
+    pub(super) corner: [usize; 2],
     /// Behind the surface, one colour per row.
     pub(super) background: Vec<Vec3>,
     /// Red, green, blue (already multiplied by the coverage) and coverage, after the tone curve.
@@ -47,6 +47,16 @@ pub struct Layers {
 }
 
 impl Film {
+    /// Width and height of the whole picture of which this is a part.
+    pub fn whole(&self) -> [usize; 2] {
+        self.whole
+    }
+
+    /// Column and row of the upper left corner of this part in the whole picture.
+    pub fn corner(&self) -> [usize; 2] {
+        self.corner
+    }
+
     /// Pixels across.
     pub fn width(&self) -> usize {
         self.width
@@ -74,26 +84,127 @@ impl Film {
 
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
-        let width = self.width;
+        let (width, [left, top]) = (self.width, self.corner);
+        // A background of one colour needs no dither.
+        let flat = self.background.windows(2).all(|rows| rows[0] == rows[1]);
         let pixel = |(index, light): (usize, &Vec4)| {
-            let color = light.truncate() + self.background[index / width] * (1.0 - light.w);
-            // The background alone has no gradient and needs no dither.
-            let dither = if light.w > 0.0 { dither(index % width, index / width) } else { 0.0 };
-            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
+            let dither = if flat && light.w == 0.0 { 0.0 } else { dither(left + index % width, top + index / width) };
+            self.over_background(index, light)
+                .to_array()
+                .map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
         };
         self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
     }
 
-    /// Writes an 8-bit sRGB PNG. The file appears whole or not at all.
-    ///
-    /// # Errors
-    /// [`RenderError::Write`] if the file cannot be encoded or written.
-    pub fn write_png(&self, path: &Path) -> Result<(), RenderError> {
-        let mut bytes = Vec::new();
-        PngEncoder::new_with_quality(&mut bytes, CompressionType::Fast, FilterType::Adaptive)
-            .write_image(&self.srgb_bytes(), self.width as u32, self.height as u32, ExtendedColorType::Rgb8)
-            .map_err(|error| write_error(path, error))?;
-        write_whole(path, &bytes)
+    /// The picture over its background in sRGB with 16 bits, three values per pixel, row by row.
+    pub fn srgb_words(&self) -> Vec<u16> {
+        let word = |value: f32| (srgb_from_linear(value) * 65535.0 + 0.5).clamp(0.0, 65535.0) as u16;
+        let pixel = |(index, light): (usize, &Vec4)| self.over_background(index, light).to_array().map(word);
+        self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
+    }
+
+    fn over_background(&self, index: usize, light: &Vec4) -> Vec3 {
+        light.truncate() + self.background[index / self.width] * (1.0 - light.w)
+    }
+
+    /// A part of the picture: x, y, width and height from its upper left corner. It must lie in it.
+    pub(super) fn cropped(self, [left, top, width, height]: [usize; 4]) -> Film {
+        if [left, top, width, height] == [0, 0, self.width, self.height] {
+            return self;
+        }
+        let stride = self.width;
+        let part = Part { rows: top..top + height, columns: left..left + width, stride };
+        Film {
+            width,
+            height,
+            corner: [self.corner[0] + left, self.corner[1] + top],
+            background: self.background[top..top + height].to_vec(),
+            beauty: part.of(&self.beauty),
+            layers: self.layers.map(|layers| Layers {
+                depth: part.of(&layers.depth),
+                normals: part.of(&layers.normals),
+                positions: part.of(&layers.positions),
+                face_ids: part.of(&layers.face_ids),
+                sides: part.of(&layers.sides),
+                motion: part.of(&layers.motion),
+                occlusion: part.of(&layers.occlusion),
+                fields: layers.fields.iter().map(|(name, values)| (name.clone(), part.of(values))).collect(),
+            }),
+            ..self
+        }
+    }
+
+    /// An empty picture of one colour (linear light), to be pasted on.
+    pub fn blank(width: usize, height: usize, background: Vec3) -> Film {
+        Film {
+            width,
+            height,
+            whole: [width, height],
+            corner: [0, 0],
+            background: vec![background; height],
+            beauty: vec![Vec4::ZERO; width * height],
+            layers: None,
+            skipped_triangles: 0,
+        }
+    }
+
+    /// Puts another picture upon this one, its upper left corner at x and y; what lies outside is left out. Layers are
+    /// not touched.
+    pub fn paste(&mut self, picture: &Film, [left, top]: [usize; 2]) {
+        let width = picture.width.min(self.width.saturating_sub(left));
+        for y in 0..picture.height.min(self.height.saturating_sub(top)) {
+            let same_background = picture.background[y] == self.background[top + y];
+            for x in 0..width {
+                let index = y * picture.width + x;
+                let light = picture.beauty[index];
+                // Where backgrounds agree they stay, and are exact.
+                let light = if same_background { light } else { picture.over_background(index, &light).extend(1.0) };
+                self.beauty[(top + y) * self.width + left + x] = light;
+            }
+        }
+    }
+}
+
+/// Some rows and columns of a picture.
+struct Part {
+    rows: std::ops::Range<usize>,
+    columns: std::ops::Range<usize>,
+    stride: usize,
+}
+
+impl Part {
+    fn of<T: Copy>(&self, values: &[T]) -> Vec<T> {
+        let row = |y: usize| &values[y * self.stride..][self.columns.clone()];
+        self.rows.clone().flat_map(row).copied().collect()
+    }
+}
+
+/// Pictures taken one after another on the same film, which shows their mean in linear light.
+#[derive(Clone, Debug)]
+pub struct Exposure {
+    film: Film,
+    pictures: usize,
+}
+
+impl Exposure {
+    /// The shutter opens: layers and the count of skipped triangles are those of this picture.
+    pub fn of(film: Film) -> Exposure {
+        Exposure { film, pictures: 1 }
+    }
+
+    /// Adds a picture of the same size.
+    pub fn add(&mut self, film: &Film) {
+        self.pictures += 1;
+        self.film.beauty.iter_mut().zip(&film.beauty).for_each(|(sum, light)| *sum += *light);
+    }
+
+    /// The shutter closes.
+    pub fn develop(mut self) -> Film {
+        if self.pictures > 1 {
+            let share = self.pictures as f32;
+            self.film.beauty.iter_mut().for_each(|light| *light /= share);
+        }
+        self.film
     }
 }
 

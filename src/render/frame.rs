@@ -56,7 +56,7 @@ pub fn render(
     {
         draw_ground_shadow(&mut film, ground, &frame.shader);
     }
-    Ok(film)
+    Ok(film.cropped(output.window()))
 }
 
 /// What tiles are made from.
@@ -181,6 +181,8 @@ impl Frame<'_> {
         let mut film = Film {
             width,
             height,
+            whole: [width, height],
+            corner: [0, 0],
             background: gradient(look.background, height),
             beauty: Vec::with_capacity(width * height),
             layers: None,

@@ -8,6 +8,7 @@ pub struct Output {
     height: usize,
     samples: usize,
     layers: bool,
+    window: [usize; 4],
 }
 
 impl Output {
@@ -26,15 +27,36 @@ impl Output {
         if ![1, 4, 8, 16].contains(&samples) {
             return Err(RenderError::Samples(samples));
         }
-        Ok(Self { width, height, samples, layers: false })
+        Ok(Self { width, height, samples, layers: false, window: [0, 0, width, height] })
     }
 
     /// The picture a scene asks for.
     ///
     /// # Errors
-    /// As [`Output::new`].
+    /// As [`Output::new`] and [`Output::with_crop`].
     pub fn from_scene(section: &OutputSection) -> Result<Self, RenderError> {
-        Ok(Self::new(section.size[0], section.size[1], section.samples)?.with_layers(section.exr))
+        let whole = Self::new(section.size[0], section.size[1], section.samples)?.with_layers(section.exr);
+        section.crop.map_or(Ok(whole), |window| whole.with_crop(window))
+    }
+
+    /// The same, of which only a part is made: x and y of its upper left corner, its width and height, in pixels.
+    ///
+    /// # Errors
+    /// [`RenderError::Crop`] if it is empty or does not lie in the picture.
+    pub fn with_crop(self, window: [usize; 4]) -> Result<Self, RenderError> {
+        let [x, y, width, height] = window;
+        let fits = |start: usize, length: usize, whole: usize| {
+            length > 0 && start.checked_add(length).is_some_and(|end| end <= whole)
+        };
+        if fits(x, width, self.width) && fits(y, height, self.height) {
+            return Ok(Self { window, ..self });
+        }
+        Err(RenderError::Crop { window, width: self.width, height: self.height })
+    }
+
+    /// The part of the picture that is made: x, y, width and height; usually all of it.
+    pub fn window(&self) -> [usize; 4] {
+        self.window
     }
 
     /// The same with or without the layers of the film.

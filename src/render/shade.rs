@@ -95,10 +95,10 @@ impl Shader<'_> {
     fn albedo(&self, face: usize, side: usize, weights: [f32; 3]) -> Vec3 {
         match (self.look.paint, self.scenery.color) {
             (Paint::Sides(colors), _) => colors[side],
-            (Paint::Map { map, range: [low, high] }, Some(field)) => {
+            (Paint::Map { map, range }, Some(field)) => {
                 let corners = field.at_corners(self.stage.triangles[face] as usize, self.stage.faces[face]);
                 let value: f32 = (0..3).map(|k| corners[k] * weights[k]).sum();
-                map.at((value - low) / (high - low))
+                map.color(value, range)
             }
             (Paint::Map { map, .. }, None) => map.at(0.0),
         }

@@ -1,0 +1,61 @@
+//! `gallery`: one picture of each scene.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::commands::Failure;
+use super::diagnostics::say;
+use super::pipeline::{self, PipelineError};
+use super::progress::Bar;
+use crate::scene::Scene;
+
+/// Makes `<out>/<scene>.png` of each scene, and gives those that were skipped because their input is not there. Films
+/// are kept in `work`, and gone on with.
+pub(super) fn gallery(
+    scenes: &[PathBuf],
+    out: &Path,
+    work: &Path,
+    progress: &mut Bar,
+    answers: &mut impl Write,
+) -> Result<(), Failure> {
+    let all = if scenes.is_empty() { shipped_scenes()? } else { scenes.to_vec() };
+    fs::create_dir_all(out).map_err(|source| Failure::Folder { path: out.to_owned(), source })?;
+    let mut missing = 0;
+    for path in &all {
+        let poster = Scene::read(path).map_err(PipelineError::from).and_then(|scene| {
+            let poster = out.join(&scene.name).with_extension("png");
+            pipeline::poster(&scene, &work.join(&scene.name), &poster, progress).map(|()| poster)
+        });
+        progress.clear();
+        match poster {
+            Ok(poster) => writeln!(answers, "{}", poster.display())?,
+            // Some scenes want a mesh that is not shipped.
+            Err(error) if scenes.is_empty() && error.is_fault_of_input() => {
+                missing += 1;
+                say(format_args!("{}: skipped; {}", path.display(), first_line(&error)));
+            }
+            Err(error) => return Err(error.into()),
+        }
+    }
+    Ok(writeln!(answers, "{}: {} pictures made, {missing} scenes skipped", out.display(), all.len() - missing)?)
+}
+
+/// `scenes/*.toml`, in order.
+fn shipped_scenes() -> Result<Vec<PathBuf>, Failure> {
+    let folder = Path::new("scenes");
+    let failed = |source| Failure::Folder { path: folder.to_owned(), source };
+    let mut scenes = Vec::new();
+    for entry in fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
+        if path.extension().is_some_and(|ending| ending == "toml") {
+            scenes.push(path);
+        }
+    }
+    scenes.sort();
+    Ok(scenes)
+}
+
+fn first_line(error: &PipelineError) -> String {
+    error.to_string().lines().next().unwrap_or_default().to_owned()
+}

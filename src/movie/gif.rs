@@ -1,0 +1,136 @@
+//! GIF: one palette for the whole film and a dither that stands still, so that nothing flickers.
+
+use std::{borrow::Cow, fs::File, io::BufWriter, io::Write};
+
+use color_quant::NeuQuant;
+use gif::{Encoder, Frame, Repeat};
+use rayon::prelude::*;
+
+use super::{
+    MovieError,
+    animation::{Animation, Draft, Reeling},
+};
+
+/// 256 colours and which of them is nearest to any other.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Palette {
+    /// Red, green and blue of each; the first is the background.
+    colors: Vec<u8>,
+    /// The nearest to each cell of colour space.
+    nearest: Vec<u8>,
+}
+
+/// Cells of colour space along each axis, as a power of 2.
+const CELL_BITS: u32 = 6;
+/// Width of the dither in steps of 8 bits: about the distance of neighbouring colours.
+const DITHER: f32 = 14.0;
+/// One of so many pixels is looked at by the network that finds the colours.
+const SAMPLING: i32 = 3;
+
+impl Palette {
+    /// The colours that suit these pixels (three bytes each) best.
+    pub fn of(pixels: &[u8], background: [u8; 3]) -> Palette {
+        let mut samples: Vec<u8> = Vec::with_capacity(pixels.len() / 3 * 4);
+        for &[red, green, blue] in pixels.as_chunks().0 {
+            if [red, green, blue] != background {
+                samples.extend([red, green, blue, 255]);
+            }
+        }
+        let mut colors = background.to_vec();
+        if samples.is_empty() {
+            colors.resize(3 * 256, 0);
+        } else {
+            // The network wants some hundred pixels.
+            while samples.len() < 4 * 1024 {
+                samples.extend_from_within(..);
+            }
+            colors.extend(NeuQuant::new(SAMPLING, 255, &samples).color_map_rgb());
+        }
+        let shift = 8 - CELL_BITS;
+        let nearest = (0..1_u32 << (3 * CELL_BITS)).into_par_iter().map(|cell| {
+            let mask = (1 << CELL_BITS) - 1;
+            let color = [cell >> (2 * CELL_BITS), cell >> CELL_BITS, cell]
+                .map(|part| (((part & mask) << shift) + (1 << shift >> 1)) as i32);
+            let distance = |index: usize| {
+                let other = &colors[3 * index..];
+                (0..3).map(|axis| (color[axis] - i32::from(other[axis])).pow(2)).sum::<i32>()
+            };
+            (0..colors.len() / 3).min_by_key(|&index| distance(index)).unwrap_or(0) as u8
+        });
+        Palette { nearest: nearest.collect(), colors }
+    }
+
+    fn index(&self, color: [u8; 3], x: usize, y: usize) -> u8 {
+        if color[..] == self.colors[..3] {
+            return 0;
+        }
+        let noise = (ordered(x, y) - 0.5) * DITHER;
+        let cell = color.iter().fold(0_usize, |cell, &value| {
+            let value = (f32::from(value) + noise).clamp(0.0, 255.0) as usize;
+            (cell << CELL_BITS) + (value >> (8 - CELL_BITS))
+        });
+        self.nearest[cell]
+    }
+}
+
+/// Thresholds between 0 and 1 that are spread evenly over every square of 8 pixels (Bayer).
+fn ordered(x: usize, y: usize) -> f32 {
+    let bits = (0..3).fold(0, |rank, bit| {
+        let (column, row) = (x >> bit & 1, y >> bit & 1);
+        rank << 2 | (column ^ row) << 1 | row
+    });
+    (bits as f32 + 0.5) / 64.0
+}
+
+pub(super) struct Gif {
+    encoder: Encoder<BufWriter<File>>,
+    palette: Palette,
+    reeling: Reeling,
+    pushed: usize,
+    draft: Draft,
+}
+
+impl Gif {
+    pub fn begin(draft: Draft, reeling: Reeling, palette: Palette) -> Result<Gif, MovieError> {
+        let begin = |file| {
+            let mut encoder = Encoder::new(file, reeling.width as u16, reeling.height as u16, &palette.colors)?;
+            encoder.set_repeat(Repeat::Infinite)?;
+            Ok::<_, gif::EncodingError>(encoder)
+        };
+        let encoder = begin(draft.writer()?).map_err(|error| draft.error(error))?;
+        Ok(Gif { encoder, palette, reeling, pushed: 0, draft })
+    }
+
+    /// Hundredths of a second for which a frame is shown. They differ by one, so that the whole film is as long as it
+    /// should be; browsers slow down what is faster than 2.
+    fn delay(&self) -> u16 {
+        let end = |frames: usize| (100.0 * frames as f64 / self.reeling.rate).round();
+        (end(self.pushed + 1) - end(self.pushed)).clamp(2.0, f64::from(u16::MAX)) as u16
+    }
+}
+
+impl Animation for Gif {
+    fn push(&mut self, pixels: &[u8]) -> Result<(), MovieError> {
+        let (width, height) = (self.reeling.width, self.reeling.height);
+        let (colors, _) = pixels.as_chunks::<3>();
+        let index = |(at, &color): (usize, &[u8; 3])| self.palette.index(color, at % width, at / width);
+        let indices: Vec<u8> = colors.par_iter().enumerate().with_min_len(4096).map(index).collect();
+        let frame = Frame {
+            width: width as u16,
+            height: height as u16,
+            delay: self.delay(),
+            buffer: Cow::Owned(indices),
+            ..Frame::default()
+        };
+        self.pushed += 1;
+        self.encoder.write_frame(&frame).map_err(|error| self.draft.error(error))
+    }
+
+    fn finish(self: Box<Self>) -> Result<(), MovieError> {
+        let Gif { encoder, draft, .. } = *self;
+        let mut file = encoder.into_inner().map_err(|error| draft.error(error))?;
+        file.flush().map_err(|error| draft.error(error))?;
+        drop(file);
+        draft.publish()
+    }
+}

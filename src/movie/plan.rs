@@ -1,0 +1,90 @@
+//! What a scene asks of its pictures.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use super::{MovieError, labels::unknown_name};
+use crate::{
+    render::{Camera, Extent, Lights, Look, Output, Png},
+    scene::{AnimationFormat, Scene},
+    timeline::{Clock, Formula, Parameters},
+};
+
+/// What a scene asks of its pictures, validated before anything is computed.
+#[derive(Clone, Debug)]
+pub struct Plan<'a> {
+    pub(super) scene: &'a Scene,
+    /// Without the cut, which depends on what the camera frames.
+    pub(super) look: Look,
+    pub(super) lights: Lights,
+    pub(super) output: Output,
+    pub(super) clock: Clock,
+    /// How PNG stills are written, if any.
+    pub(super) png: Option<Png>,
+    /// Hides faces of the mesh where it is positive.
+    pub(super) hide: Option<Formula>,
+}
+
+impl<'a> Plan<'a> {
+    /// Validates what can be without the surface.
+    ///
+    /// # Errors
+    /// [`MovieError::Scene`], [`MovieError::Render`], [`MovieError::WithoutMp4`]
+    pub fn of(scene: &'a Scene) -> Result<Plan<'a>, MovieError> {
+        let output = Output::from_scene(&scene.output)?;
+        // Any surface shows whether the section of the camera is in order.
+        let surface = Extent::of(&[DVec3::NEG_X, DVec3::X, 0.8 * DVec3::NEG_Y, 0.8 * DVec3::Y, 0.5 * DVec3::Z]);
+        Camera::framing(&scene.camera, &surface, &output)?;
+        if cfg!(not(feature = "mp4")) && scene.output.animation.contains(&AnimationFormat::Mp4) {
+            return Err(MovieError::WithoutMp4);
+        }
+        for (k, section) in scene.look.texts.iter().enumerate() {
+            if let Some(name) = unknown_name(&section.text) {
+                let message = format!("nothing is known as {{{name}}}; write {{frame}}, {{time}} or {{error}}");
+                return Err(MovieError::of_scene(scene, &format!("look.text[{k}].text"), &message));
+            }
+        }
+        Ok(Plan {
+            scene,
+            look: Look::from_scene(&scene.look, &scene.folder)?,
+            lights: Lights::from_scene(&scene.lights)?,
+            output,
+            clock: Clock::from_scene(&scene.clock),
+            png: scene.output.png.then_some(Png { sixteen_bits: scene.output.depth == 16, small: false }),
+            hide: hide(scene)?,
+        })
+    }
+
+    /// Width and height of its pictures in pixels.
+    pub fn size(&self) -> [usize; 2] {
+        [self.output.width(), self.output.height()]
+    }
+
+    /// Whether a picture takes the frame after its own.
+    pub(super) fn looks_ahead(&self) -> bool {
+        self.scene.camera.shutter > 0.0 || self.output.has_layers()
+    }
+
+    /// The frame after this one, counted from 1; the first after the last one of a film that loops.
+    pub(super) fn after(&self, frame: usize) -> Option<usize> {
+        if frame < self.scene.clock.frames {
+            Some(frame + 1)
+        } else {
+            (self.clock.is_looping() && self.scene.clock.frames > 1).then_some(1)
+        }
+    }
+}
+
+/// The parameters of a scene.
+pub(super) fn parameters(scene: &Scene) -> Result<Arc<Parameters>, MovieError> {
+    Parameters::from_scene(&scene.parameters)
+        .map_err(|(name, error)| MovieError::of_scene(scene, &format!("parameters.{name}"), &error.to_string()))
+}
+
+fn hide(scene: &Scene) -> Result<Option<Formula>, MovieError> {
+    let Some(text) = &scene.look.hide else { return Ok(None) };
+    Formula::parse(text, &["x", "y", "z"], &parameters(scene)?)
+        .map(Some)
+        .map_err(|error| MovieError::of_scene(scene, "look.hide", &error.to_string()))
+}

@@ -1,0 +1,171 @@
+//! Fields of frames: what colours, patterns and layers show.
+
+use std::sync::Arc;
+
+use super::{MovieError, Plan, coordinates::Chart, plan::parameters};
+use crate::{
+    cache::{Cache, FrameState},
+    evolve::phases_from_scene,
+    immersion::{FieldInput, FieldValues, Fields},
+    mesh::Mesh,
+    metric::Metric,
+    render::{ColorMap, Field, FieldSpread, Legend, Look, Paint},
+    scene::{FieldName, LookName, PatternAlong},
+    spin::SpinStructure,
+};
+
+/// Fields of one frame.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Quantities {
+    /// Shown as colour.
+    pub color: Option<Field>,
+    /// What the pattern runs along and across.
+    pub along: [Option<Field>; 2],
+    /// Recorded as layers.
+    pub layers: Vec<Field>,
+}
+
+/// Computes the fields that look and output of a scene ask for.
+#[derive(Debug)]
+pub(super) struct Measures {
+    fields: Option<Fields>,
+    color: Option<FieldName>,
+    along: Along,
+    layers: Vec<FieldName>,
+}
+
+/// What the pattern runs along.
+#[derive(Debug)]
+enum Along {
+    /// The same places of the mesh in all frames; none without a pattern.
+    Mesh(Box<[Option<Field>; 2]>),
+    /// A field of each frame, this often from its least to its greatest shown value.
+    Field(FieldName, usize),
+}
+
+/// How the values that are shown are spread over a film.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Spreads {
+    color: FieldSpread,
+    along: FieldSpread,
+}
+
+impl Spreads {
+    pub fn merge(&mut self, other: &Spreads) {
+        self.color.merge(&other.color);
+        self.along.merge(&other.along);
+    }
+}
+
+impl Measures {
+    pub fn of(plan: &Plan, cache: &Cache, mesh: &Arc<Mesh>) -> Result<Measures, MovieError> {
+        let look = &plan.scene.look;
+        let is_map = matches!(plan.look.paint, Paint::Map { .. });
+        let color = look.color.as_ref().map(|color| color.field).or(is_map.then_some(FieldName::LengthError));
+        let layers = if plan.output.has_layers() { plan.scene.output.fields.clone() } else { Vec::new() };
+        let along = along(plan, cache, mesh)?;
+        let wanted = color.is_some() || !layers.is_empty() || matches!(along, Along::Field(..));
+        let fields = if wanted {
+            let first = metric(mesh, &cache.read_frame(1)?)?;
+            // Energies are those of the reports: with the weights of the last phase.
+            let phases = phases_from_scene(&plan.scene.phases, &plan.scene.start.from);
+            let stiffness = phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
+            Some(Fields::new(Arc::clone(mesh), first, stiffness))
+        } else {
+            None
+        };
+        Ok(Measures { fields, color, along, layers })
+    }
+
+    /// The fields of a frame.
+    pub fn at(&self, mesh: &Mesh, state: &FrameState) -> Result<Quantities, MovieError> {
+        let field =
+            |name: FieldName| Ok::<_, MovieError>(self.values(mesh, name, state)?.map(|of| Field::new(name, of)));
+        Ok(Quantities {
+            color: self.color.map(field).transpose()?.flatten(),
+            along: match &self.along {
+                Along::Mesh(fields) => fields.as_ref().clone(),
+                Along::Field(name, _) => [field(*name)?, None],
+            },
+            layers: self.layers.iter().filter_map(|&name| field(name).transpose()).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// How the values of a frame are spread, as far as the look depends on it.
+    pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &FrameState) -> Result<Spreads, MovieError> {
+        let mut spreads = Spreads::default();
+        let is_free = plan.scene.look.color.as_ref().is_none_or(|color| color.range.is_none() || color.legend);
+        if let Some(name) = self.color.filter(|_| is_free)
+            && let Some(values) = self.values(mesh, name, state)?
+        {
+            spreads.color.add(&values);
+        }
+        if let Along::Field(name, _) = self.along
+            && let Some(values) = self.values(mesh, name, state)?
+        {
+            spreads.along.add(&values);
+        }
+        Ok(spreads)
+    }
+
+    /// The look with the ranges of what it shows, and the key to its colours.
+    pub fn complete(&self, plan: &Plan, spreads: &Spreads) -> (Look, Option<Legend>) {
+        let mut look = plan.look.clone();
+        let mut legend = None;
+        if let Some(name) = self.color {
+            let section = plan.scene.look.color.as_ref();
+            let map = section.and_then(|section| section.map).map_or_else(|| ColorMap::suiting(name), ColorMap);
+            let given = section.and_then(|section| section.range).map(|range| range.map(|value| value as f32));
+            let range = given.unwrap_or_else(|| spreads.color.range(name));
+            look.paint = Paint::Map { map, range };
+            if section.is_none_or(|section| section.legend) {
+                legend = Some(Legend::new(name, map, range, spreads.color.extremes()));
+            }
+        }
+        if let (Along::Field(name, count), Some(pattern)) = (&self.along, &mut look.pattern) {
+            let [low, high] = spreads.along.range(*name);
+            pattern.periods = [(high - low) / *count as f32; 2];
+        }
+        (look, legend)
+    }
+
+    fn values(&self, mesh: &Mesh, name: FieldName, state: &FrameState) -> Result<Option<FieldValues>, MovieError> {
+        let Some(fields) = &self.fields else { return Ok(None) };
+        let metric = metric(mesh, state)?;
+        let transports = state.transport.iter().map(|&[re, im]| crate::algebra::Complex { re, im }).collect();
+        let spin = SpinStructure::from_transports(transports);
+        let input = FieldInput { metric: &metric, positions: &state.positions, frames: &state.frames, spin: &spin };
+        fields.of(name, &input).map(Some).map_err(|error| damaged(error.to_string()))
+    }
+}
+
+fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {
+    let scene = plan.scene;
+    let (along, count) = match (&scene.look.pattern, scene.look.preset) {
+        (Some(pattern), _) => (&pattern.along, pattern.count),
+        (None, LookName::Bands) => (&PatternAlong::Parallels, BANDS),
+        _ => return Ok(Along::Mesh(Box::default())),
+    };
+    if let PatternAlong::Field(name) = along {
+        return Ok(Along::Field(*name, count));
+    }
+    let places = cache.places()?;
+    let first = cache.read_frame(1)?;
+    let chart = Chart { mesh, section: &scene.mesh, places: places.as_deref(), edge_lengths: &first.edge_lengths };
+    let parameters = parameters(scene)?;
+    chart
+        .coordinates(along, count, &parameters)
+        .map(|fields| Along::Mesh(Box::new(fields)))
+        .map_err(|error| MovieError::of_scene(scene, "look.pattern.along", &error.to_string()))
+}
+
+/// Bands of the look that is named for them, if the scene says nothing else.
+const BANDS: usize = 12;
+
+fn metric(mesh: &Mesh, state: &FrameState) -> Result<Metric, MovieError> {
+    Metric::new(mesh, state.edge_lengths.clone()).map_err(|error| damaged(error.to_string()))
+}
+
+fn damaged(reason: String) -> MovieError {
+    MovieError::Field { reason }
+}

@@ -1,0 +1,116 @@
+//! Pictures of frames through a moving camera with a shutter.
+
+use glam::DVec3;
+
+use super::{
+    MovieError, Plan,
+    labels::{labels, texts},
+    quantities::Spreads,
+    subject::Subject,
+};
+use crate::{
+    cache::FrameState,
+    render::{
+        Camera, CameraMotion, Exposure, Extent, Film, Legend, Look, Metadata, Output, Overlay, Plane, RenderError,
+        render,
+    },
+};
+
+/// Takes pictures of one size.
+#[derive(Debug)]
+pub(super) struct Shots<'a> {
+    plan: &'a Plan<'a>,
+    subject: &'a Subject,
+    camera: CameraMotion,
+    look: Look,
+    legend: Option<Legend>,
+    ground: Plane,
+    output: Output,
+}
+
+impl<'a> Shots<'a> {
+    pub fn new(
+        plan: &'a Plan,
+        subject: &'a Subject,
+        extent: &Extent,
+        spreads: &Spreads,
+        output: Output,
+    ) -> Result<Self, RenderError> {
+        let clock = &plan.scene.clock;
+        let camera = CameraMotion::framing(&plan.scene.camera, extent, &output, [clock.start, clock.end])?;
+        let (middle, radius) = camera.at(0.0, clock.start).subject();
+        let cut = plan.scene.look.cut.map(|cut| {
+            let normal = DVec3::from_array(cut.normal).normalize();
+            Plane { normal, offset: normal.dot(middle) + cut.offset * radius }
+        });
+        let (look, legend) = subject.look(plan, spreads);
+        let look = Look { cut, ..look };
+        let up = camera.up();
+        let ground = Plane { normal: up, offset: extent.lowest(up) };
+        Ok(Self { plan, subject, camera, look, legend, ground, output })
+    }
+
+    /// A picture of a frame. While the shutter is open, vertices go straight toward the frame after it, and the camera
+    /// goes on its way; layers are those of the moment when it opens. Without a next frame nothing moves.
+    pub fn take(&self, state: &FrameState, next: Option<&FrameState>) -> Result<Film, MovieError> {
+        let camera_section = &self.plan.scene.camera;
+        let here = self.camera_at(state.frame, 0.0);
+        let mut moment = self.subject.moment(self.plan, state, next)?;
+        let goals = moment.next_positions.clone();
+        // Where they are going as seen from here, though the camera moves too.
+        let carried = here.as_seen_by(&self.camera_at(state.frame, 1.0));
+        moment.next_positions.iter_mut().for_each(|place| *place = carried.transform_point3(*place));
+        let picture = |positions: &[DVec3], camera: &Camera, output: &Output| {
+            let scenery = self.subject.scenery(&moment, positions, self.ground);
+            render(&scenery, camera, &self.plan.lights, &self.look, output)
+        };
+        let mut exposure = Exposure::of(picture(&moment.positions, &here, &self.output)?);
+        if camera_section.shutter > 0.0 && !goals.is_empty() {
+            let last = camera_section.shutter_samples.saturating_sub(1);
+            for sample in 1..=last {
+                let part = camera_section.shutter * sample as f64 / last as f64;
+                let positions: Vec<DVec3> =
+                    moment.positions.iter().zip(&goals).map(|(from, to)| from.lerp(*to, part)).collect();
+                let camera = self.camera_at(state.frame, part);
+                exposure.add(&picture(&positions, &camera, &self.output.with_layers(false))?);
+            }
+        }
+        let mut film = exposure.develop();
+        let ink = film.ink();
+        film.draw_overlay(&self.overlay(state), ink);
+        Ok(film)
+    }
+
+    fn overlay(&self, state: &FrameState) -> Overlay {
+        let scene = self.plan.scene;
+        let corners = texts(scene).into_iter().map(|section| section.corner);
+        Overlay {
+            texts: corners.zip(labels(scene, &state.report, self.subject.faces())).collect(),
+            legend: self.legend.clone(),
+            text_size: scene.look.text_size.unwrap_or(1.0) as f32,
+        }
+    }
+
+    /// What is known of a picture.
+    pub fn metadata(&self, state: &FrameState) -> Metadata {
+        let scene = self.plan.scene;
+        Metadata {
+            scene: scene.name.clone(),
+            scene_hash: self.subject.scene_hash(),
+            frame: state.frame,
+            frames: scene.clock.frames,
+            time: state.time,
+            frame_rate: scene.output.frame_rate,
+            comment: labels(scene, &state.report, self.subject.faces()).join("\n"),
+            camera: Some(self.camera_at(state.frame, 0.0)),
+        }
+    }
+
+    /// The camera when this part of the time between a frame and the next one has passed.
+    fn camera_at(&self, frame: usize, part: f64) -> Camera {
+        let (clock, frames) = (&self.plan.clock, self.plan.scene.clock.frames);
+        let time = clock.time(frame);
+        let next = if frame < frames { clock.time(frame + 1) } else { clock.end() };
+        self.camera.at(((frame - 1) as f64 + part) / frames as f64, time + (next - time) * part)
+    }
+}

@@ -1,0 +1,180 @@
+//! How the camera moves over a film.
+
+use glam::{DAffine3, DMat3, DVec3};
+
+use super::{
+    Camera, Extent, Output, RenderError,
+    camera::Lens,
+    framing::{fit_orthographic, fit_perspective, in_range, orientation},
+};
+use crate::{
+    scene::{CameraSection, Extrapolation},
+    timeline::Keyframes,
+};
+
+/// A camera that goes round the surface on a turntable and from key to key.
+///
+/// It is as far away as it takes to see all of the surface from all directions that it looks from, and stays as far
+/// (but for what keys say), so that nothing is cut off and the size of the surface does not pump.
+#[derive(Clone, Debug)]
+pub struct CameraMotion {
+    /// Looks at the middle at rest, from where its own rotation takes it.
+    rest: Camera,
+    /// Right, up and toward the eye at rest.
+    axes: DMat3,
+    /// What the eye turns round.
+    up: DVec3,
+    /// Radians over the whole film.
+    turntable: f64,
+    /// Distance of the eye along the axis of view at rest.
+    distance: f64,
+    keys: Keyframes<Pose>,
+}
+
+/// Where the eye is at a key.
+#[derive(Clone, Copy, Debug)]
+struct Pose {
+    /// Radians.
+    orbit: f64,
+    /// Radians.
+    rise: f64,
+    dolly: f64,
+    target: DVec3,
+    /// How far the eye is beside the target, to the right and up.
+    beside: DVec3,
+}
+
+impl Pose {
+    fn toward(self, other: Pose, part: f64) -> Pose {
+        let between = |a: f64, b: f64| a + (b - a) * part;
+        Pose {
+            orbit: between(self.orbit, other.orbit),
+            rise: between(self.rise, other.rise),
+            dolly: between(self.dolly, other.dolly),
+            target: self.target.lerp(other.target, part),
+            beside: self.beside.lerp(other.beside, part),
+        }
+    }
+}
+
+const FIELD_OF_VIEW_DEGREES: f64 = 30.0;
+const FILL: f64 = 0.85;
+/// Directions between which the view is taken to change nothing for the framing.
+const STEP_DEGREES: f64 = 4.0;
+/// Directions that are looked at on the way from key to key.
+const STEPS_PER_KEY: usize = 32;
+const MOST_STEPS: usize = 1024;
+
+impl CameraMotion {
+    /// A camera that sees all of `extent` in a film from the first to the second time.
+    ///
+    /// # Errors
+    /// [`RenderError::Camera`] on impossible values, [`RenderError::NothingToFrame`] on an empty extent.
+    pub fn framing(
+        section: &CameraSection,
+        extent: &Extent,
+        output: &Output,
+        [start, end]: [f64; 2],
+    ) -> Result<Self, RenderError> {
+        let (center, radius) = extent.ball().ok_or(RenderError::NothingToFrame)?;
+        // A single point still gets a picture.
+        let radius = if radius > 0.0 { radius } else { 1.0 };
+        let fov = in_range("field_of_view", section.field_of_view, FIELD_OF_VIEW_DEGREES, 0.0..=150.0, "0 to 150")?;
+        let fill = in_range("fill", section.fill, FILL, 0.05..=1.0, "0.05 to 1")?;
+        let (toward_eye, up) = orientation(section, extent)?;
+        let right = up.cross(toward_eye).normalize();
+        let axes = DMat3::from_cols(right, toward_eye.cross(right), toward_eye);
+        let middle = section.target.map_or(center, DVec3::from_array);
+        let mut motion = Self {
+            rest: Camera {
+                view_from_world: DAffine3::IDENTITY,
+                lens: Lens::Orthographic { half_height: radius },
+                aspect: output.aspect(),
+                near: 0.0,
+                far: f64::INFINITY,
+                subject: (center, radius),
+            },
+            axes,
+            up: up.normalize(),
+            turntable: section.turntable.to_radians(),
+            distance: 0.0,
+            keys: keys(section, middle, DVec3::ZERO)?,
+        };
+
+        let steps = if section.keys.is_empty() { 0 } else { STEPS_PER_KEY * section.keys.len() }
+            .max((section.turntable.abs() / STEP_DEGREES).ceil() as usize)
+            .min(MOST_STEPS);
+        let mut points = Vec::new();
+        for step in 0..=steps {
+            let part = if steps == 0 { 0.0 } else { step as f64 / steps as f64 };
+            let view_from_world = motion.axes_at(part, start + (end - start) * part).1.transpose();
+            points.extend(extent.outermost().iter().map(|&point| view_from_world * (point - middle)));
+        }
+        if section.target.is_some() {
+            // The target is in the middle of the picture, so both sides have to fit what one has.
+            points.extend(points.clone().iter().map(|point| DVec3::new(-point.x, -point.y, point.z)));
+        }
+        let farthest = motion.keys.values().iter().map(|pose| pose.target.distance(center)).fold(0.0, f64::max);
+        let (eye, lens) = if fov == 0.0 {
+            fit_orthographic(&points, radius + farthest, output.aspect(), fill)
+        } else {
+            fit_perspective(&points, radius, libm::tan(fov.to_radians() / 2.0), output.aspect(), fill)
+        };
+        (motion.rest.near, motion.rest.far) = match lens {
+            Lens::Perspective { .. } => (1e-3 * radius, f64::INFINITY),
+            Lens::Orthographic { .. } => (0.0, 2.0 * eye.z),
+        };
+        motion.rest.lens = lens;
+        motion.distance = eye.z;
+        motion.keys = keys(section, middle, DVec3::new(eye.x, eye.y, 0.0))?;
+        Ok(motion)
+    }
+
+    /// Up in the world, as the film has it.
+    pub fn up(&self) -> DVec3 {
+        self.up
+    }
+
+    /// The camera when this part of the film has passed, 0 at its first frame and 1 behind its last, at this time.
+    pub fn at(&self, part: f64, time: f64) -> Camera {
+        let (pose, axes) = self.axes_at(part, time);
+        let (distance, lens) = match self.rest.lens {
+            Lens::Perspective { .. } => (self.distance * pose.dolly, self.rest.lens),
+            Lens::Orthographic { half_height } => {
+                (self.distance, Lens::Orthographic { half_height: half_height * pose.dolly })
+            }
+        };
+        let eye = pose.target + axes * (pose.beside + DVec3::Z * distance);
+        let view_from_world = DAffine3::from_mat3(axes.transpose()) * DAffine3::from_translation(-eye);
+        Camera { view_from_world, lens, ..self.rest.clone() }
+    }
+
+    /// Pose, and right, up and toward the eye.
+    fn axes_at(&self, part: f64, time: f64) -> (Pose, DMat3) {
+        let (&before, &after, between) = self.keys.around(time);
+        let pose = before.toward(after, between);
+        let orbit = DMat3::from_axis_angle(self.up, self.turntable * part + pose.orbit);
+        (pose, orbit * self.axes * DMat3::from_rotation_x(-pose.rise))
+    }
+}
+
+/// The keys of a section, or one that changes nothing.
+fn keys(section: &CameraSection, middle: DVec3, beside: DVec3) -> Result<Keyframes<Pose>, RenderError> {
+    let mut poses: Vec<Pose> = section
+        .keys
+        .iter()
+        .map(|key| Pose {
+            orbit: key.orbit.to_radians(),
+            rise: key.rise.to_radians(),
+            dolly: key.dolly,
+            target: key.target.map_or(middle, DVec3::from_array),
+            beside: if key.target.is_some() { DVec3::ZERO } else { beside },
+        })
+        .collect();
+    let mut times: Vec<f64> = section.keys.iter().map(|key| key.time).collect();
+    if poses.is_empty() {
+        times.push(0.0);
+        poses.push(Pose { orbit: 0.0, rise: 0.0, dolly: 1.0, target: middle, beside });
+    }
+    Ok(Keyframes::new(times, poses, section.ease, Extrapolation::Hold)?)
+}
