@@ -16,6 +16,9 @@ use crate::{
     },
 };
 
+/// Share of the width that is kept free for a legend.
+const LEGEND_SHARE: f64 = 0.13;
+
 /// Takes pictures of one size.
 #[derive(Debug)]
 pub(super) struct Shots<'a> {
@@ -37,13 +40,14 @@ impl<'a> Shots<'a> {
         output: Output,
     ) -> Result<Self, RenderError> {
         let clock = &plan.scene.clock;
+        let (look, legend) = subject.look(plan, spreads);
+        let output = if legend.is_some() { output.reserving(LEGEND_SHARE) } else { output };
         let camera = CameraMotion::framing(&plan.scene.camera, extent, &output, [clock.start, clock.end])?;
         let (middle, radius) = camera.at(0.0, clock.start).subject();
         let cut = plan.scene.look.cut.map(|cut| {
             let normal = DVec3::from_array(cut.normal).normalize();
             Plane { normal, offset: normal.dot(middle) + cut.offset * radius }
         });
-        let (look, legend) = subject.look(plan, spreads);
         let look = Look { cut, ..look };
         let up = camera.up();
         let ground = Plane { normal: up, offset: extent.lowest(up) };

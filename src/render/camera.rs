@@ -33,6 +33,16 @@ pub(super) enum Lens {
     Orthographic { half_height: f64 },
 }
 
+impl Lens {
+    /// Half the height of what is seen at a distance from the eye.
+    pub(super) fn half_height_at(self, distance: f64) -> f64 {
+        match self {
+            Lens::Perspective { tangent } => tangent * distance,
+            Lens::Orthographic { half_height } => half_height,
+        }
+    }
+}
+
 impl Camera {
     /// A camera that sees all of `extent` from the direction the section asks for, or from a good one. It stands
     /// still; [`CameraMotion`] follows what the section says of motion.
@@ -136,11 +146,7 @@ impl Camera {
 
     /// Length in world space that one pixel spans at a depth z / w in clip space.
     pub(super) fn pixel_size(&self, depth: f64, output: &Output) -> f64 {
-        let half_height = match self.lens {
-            Lens::Perspective { tangent } => tangent * self.distance(depth),
-            Lens::Orthographic { half_height } => half_height,
-        };
-        2.0 * half_height / output.height() as f64
+        2.0 * self.lens.half_height_at(self.distance(depth)) / output.height() as f64
     }
 
     /// How much `depth` grows, as a factor and a summand, per pixel of height toward the eye.

@@ -115,11 +115,14 @@ impl CameraMotion {
             points.extend(points.clone().iter().map(|point| DVec3::new(-point.x, -point.y, point.z)));
         }
         let farthest = motion.keys.values().iter().map(|pose| pose.target.distance(center)).fold(0.0, f64::max);
-        let (eye, lens) = if fov == 0.0 {
-            fit_orthographic(&points, radius + farthest, output.aspect(), fill)
+        let free = output.aspect() * (1.0 - output.reserved());
+        let (mut eye, lens) = if fov == 0.0 {
+            fit_orthographic(&points, radius + farthest, free, fill)
         } else {
-            fit_perspective(&points, radius, libm::tan(fov.to_radians() / 2.0), output.aspect(), fill)
+            fit_perspective(&points, radius, libm::tan(fov.to_radians() / 2.0), free, fill)
         };
+        // The middle of what is not reserved lies to the left of the middle of the picture.
+        eye.x += output.reserved() * output.aspect() * lens.half_height_at(eye.z);
         (motion.rest.near, motion.rest.far) = match lens {
             Lens::Perspective { .. } => (1e-3 * radius, f64::INFINITY),
             Lens::Orthographic { .. } => (0.0, 2.0 * eye.z),

@@ -208,12 +208,6 @@ impl Look {
     pub(super) fn toned(&self, color: Vec3) -> Vec3 {
         if self.material == Material::Flat { color } else { tone_mapped(color) }
     }
-
-    /// Ink that reads on the background at this place, from 0 at the upper to 1 at the lower end.
-    pub fn ink(&self, place: f32) -> Vec3 {
-        let ground = self.background[0].lerp(self.background[1], place).dot(Vec3::new(0.2126, 0.7152, 0.0722));
-        linear_from_srgb(if ground > 0.2 { [0x2B, 0x2A, 0x29] } else { [0xEC, 0xEA, 0xE6] })
-    }
 }
 
 fn paint(section: &LookSection, preset: Paint) -> Paint {

@@ -2,12 +2,13 @@ use super::RenderError;
 use crate::scene::OutputSection;
 
 /// Size and sampling of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Output {
     width: usize,
     height: usize,
     samples: usize,
     layers: bool,
+    reserved: f64,
     window: [usize; 4],
 }
 
@@ -27,7 +28,7 @@ impl Output {
         if ![1, 4, 8, 16].contains(&samples) {
             return Err(RenderError::Samples(samples));
         }
-        Ok(Self { width, height, samples, layers: false, window: [0, 0, width, height] })
+        Ok(Self { width, height, samples, layers: false, reserved: 0.0, window: [0, 0, width, height] })
     }
 
     /// The picture a scene asks for.
@@ -62,6 +63,16 @@ impl Output {
     /// The same with or without the layers of the film.
     pub fn with_layers(self, layers: bool) -> Self {
         Self { layers, ..self }
+    }
+
+    /// The same with a share of the width, from 0 to 0.5, that is kept free at the right edge when a film is framed.
+    pub fn reserving(self, share: f64) -> Self {
+        Self { reserved: share.clamp(0.0, 0.5), ..self }
+    }
+
+    /// Share of the width that is kept free at the right edge.
+    pub(super) fn reserved(&self) -> f64 {
+        self.reserved
     }
 
     /// Whether the film has [`Layers`](super::Layers).
