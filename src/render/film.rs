@@ -1,10 +1,11 @@
 use std::{
-    io::Write,
-    path::{Path, PathBuf},
+    io::{self, Write},
+    path::Path,
 };
 
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
+use tempfile::NamedTempFile;
 
 use super::{RenderError, color::srgb_from_linear};
 
@@ -214,15 +215,23 @@ pub(super) fn write_error(path: &Path, error: impl std::fmt::Display) -> RenderE
 
 /// Writes a temporary file next to the target, then renames it.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    };
-    let mut file =
-        tempfile::Builder::new().prefix(".immerse-").tempfile_in(&folder).map_err(|error| write_error(path, error))?;
+    let mut file = temporary_beside(path).map_err(|error| write_error(path, error))?;
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| write_error(path, error))?;
     file.persist(path).map_err(|error| write_error(path, error.error))?;
     Ok(())
+}
+
+/// A file under a temporary name in the folder of a path, with the rights of any new file.
+pub(crate) fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".immerse-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
 }
 
 /// Noise of one quantization step, different from pixel to pixel and the same in every run.
