@@ -87,7 +87,7 @@ impl Film {
     pub fn srgb_bytes(&self) -> Vec<u8> {
         let (width, [left, top]) = (self.width, self.corner);
         // A background of one colour needs no dither.
-        let flat = self.background.windows(2).all(|rows| rows[0] == rows[1]);
+        let flat = self.background.iter().all(|color| is_same(*color, self.background[0]));
         let pixel = |(index, light): (usize, &Vec4)| {
             let dither = if flat && light.w == 0.0 { 0.0 } else { dither(left + index % width, top + index / width) };
             self.over_background(index, light)
@@ -154,7 +154,7 @@ impl Film {
     pub fn paste(&mut self, picture: &Film, [left, top]: [usize; 2]) {
         let width = picture.width.min(self.width.saturating_sub(left));
         for y in 0..picture.height.min(self.height.saturating_sub(top)) {
-            let same_background = picture.background[y] == self.background[top + y];
+            let same_background = is_same(picture.background[y], self.background[top + y]);
             for x in 0..width {
                 let index = y * picture.width + x;
                 let light = picture.beauty[index];
@@ -219,6 +219,11 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> 
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| write_error(path, error))?;
     file.persist(path).map_err(|error| write_error(path, error.error))?;
     Ok(())
+}
+
+/// Whether colours are the same but for rounding.
+fn is_same(a: Vec3, b: Vec3) -> bool {
+    a.abs_diff_eq(b, 1e-6)
 }
 
 /// A file under a temporary name in the folder of a path, with the rights of any new file.
