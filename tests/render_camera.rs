@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 use immerse::{
-    render::{Camera, Extent, Output, RenderError},
-    scene::CameraSection,
+    render::{Camera, CameraMotion, Extent, Output, RenderError},
+    scene::{CameraKeySection, CameraSection},
 };
 
 /// Points on an ellipsoid with its middle elsewhere.
@@ -18,6 +18,10 @@ fn ellipsoid(radii: DVec3, middle: DVec3) -> Vec<DVec3> {
             middle + radii * DVec3::new(width * libm::cos(angle), height, width * libm::sin(angle))
         })
         .collect()
+}
+
+fn usual() -> CameraSection {
+    CameraSection::default()
 }
 
 /// Largest distance from the middle of the picture, 1 at its border.
@@ -106,7 +110,6 @@ fn given_directions_are_kept() {
 fn impossible_views_are_refused_with_key_and_remedy() {
     let output = Output::new(640, 480, 1).expect("a size");
     let extent = Extent::of(&ellipsoid(DVec3::ONE, DVec3::ZERO));
-    let usual = CameraSection::default;
     let refused = [
         (CameraSection { direction: Some([0.0; 3]), ..usual() }, "direction"),
         (CameraSection { direction: Some([f64::NAN, 0.0, 1.0]), ..usual() }, "direction"),
@@ -131,5 +134,120 @@ fn a_single_point_and_a_line_can_be_framed() {
     for points in [vec![DVec3::ONE], vec![DVec3::ZERO, DVec3::X], vec![DVec3::ONE; 5]] {
         let camera = Camera::framing(&CameraSection::default(), &Extent::of(&points), &output).expect("a view");
         assert!(reach(&camera, &points) <= 1.0);
+    }
+}
+
+/// Middle of the picture of some points and their extent around it.
+fn bounds(camera: &Camera, points: &[DVec3]) -> [f64; 4] {
+    let places = points.iter().map(|&point| {
+        let clip = camera.clip_from_view() * camera.view_from_world().transform_point3(point).extend(1.0);
+        [clip.x / clip.w, clip.y / clip.w]
+    });
+    places
+        .fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |[a, b, c, d], [x, y]| [a.min(x), b.min(y), c.max(x), d.max(y)])
+}
+
+fn moving(section: &CameraSection, points: &[DVec3]) -> CameraMotion {
+    let output = Output::new(640, 480, 1).expect("a size");
+    CameraMotion::framing(section, &Extent::of(points), &output, [0.0, 1.0]).expect("a view")
+}
+
+#[test]
+fn a_sphere_on_a_turntable_does_not_pump() {
+    let points = ellipsoid(DVec3::ONE, DVec3::new(3.0, -1.0, 2.0));
+    for field_of_view in [None, Some(0.0)] {
+        let section = CameraSection { turntable: 360.0, up: Some([0.0, 0.0, 1.0]), field_of_view, ..usual() };
+        let motion = moving(&section, &points);
+        let sizes: Vec<[f64; 4]> = (0..60).map(|k| bounds(&motion.at(f64::from(k) / 60.0, 0.0), &points)).collect();
+        for (size, first) in sizes.iter().zip(std::iter::repeat(sizes[0])) {
+            assert!((0..4).all(|side| (size[side] - first[side]).abs() < 0.02), "{size:?} after {first:?}");
+        }
+        assert!((sizes[0][3] - 0.85).abs() < 0.02, "it fills the picture: {:?}", sizes[0]);
+    }
+}
+
+#[test]
+fn nothing_is_cut_off_while_a_long_surface_turns() {
+    let points = ellipsoid(DVec3::new(4.0, 0.5, 0.7), DVec3::new(1.0, 2.0, 3.0));
+    for turntable in [90.0, -180.0, 360.0, 720.0] {
+        let section =
+            CameraSection { turntable, direction: Some([0.0, -1.0, 0.3]), up: Some([0.0, 0.0, 1.0]), ..usual() };
+        let motion = moving(&section, &points);
+        let reaches: Vec<f64> = (0..=200).map(|k| reach(&motion.at(f64::from(k) / 200.0, 0.0), &points)).collect();
+        let largest = reaches.iter().copied().fold(0.0, f64::max);
+        assert!((0.8..0.87).contains(&largest), "{turntable} degrees: {largest}");
+    }
+}
+
+/// Clockwise or not, how far, and about which axis.
+#[test]
+fn the_turntable_turns_about_up_at_a_constant_rate() {
+    let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
+    let section =
+        CameraSection { turntable: 360.0, direction: Some([1.0, 0.0, 0.5]), up: Some([0.0, 0.0, 1.0]), ..usual() };
+    let motion = moving(&section, &points);
+    for k in 0..8 {
+        let toward_eye = motion.at(f64::from(k) / 8.0, 0.0).view_from_world().matrix3.transpose() * DVec3::Z;
+        let angle = TAU * f64::from(k) / 8.0;
+        let wanted = DVec3::new(libm::cos(angle), libm::sin(angle), 0.5).normalize();
+        assert!(toward_eye.distance(wanted) < 1e-12, "{k}/8 round: {toward_eye}");
+    }
+}
+
+#[test]
+fn keys_orbit_rise_dolly_and_look_at_targets() {
+    let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
+    let key = |time, orbit, rise, dolly, target| CameraKeySection { time, orbit, rise, dolly, target };
+    let section = CameraSection {
+        direction: Some([1.0, 0.0, 0.0]),
+        up: Some([0.0, 0.0, 1.0]),
+        keys: vec![
+            key(0.0, 0.0, 0.0, 1.0, None),
+            key(0.5, 90.0, 0.0, 1.0, None),
+            key(1.0, 90.0, 90.0, 0.5, Some([0.3, 0.0, 0.0])),
+        ],
+        ..usual()
+    };
+    let motion = moving(&section, &points);
+    let toward_eye = |time: f64| motion.at(time, time).view_from_world().matrix3.transpose() * DVec3::Z;
+    assert!(toward_eye(0.0).distance(DVec3::X) < 1e-12);
+    assert!(toward_eye(0.5).distance(DVec3::Y) < 1e-12);
+    assert!(toward_eye(0.25).distance(DVec3::new(1.0, 1.0, 0.0).normalize()) < 1e-12, "halfway between");
+    assert!(toward_eye(1.0).distance(DVec3::Z) < 1e-12, "straight from above, which has no pole");
+    let distance = |time: f64, target: DVec3| -motion.at(time, time).view_from_world().transform_point3(target).z;
+    let target = DVec3::new(0.3, 0.0, 0.0);
+    assert!((distance(1.0, target) / distance(0.0, DVec3::ZERO) - 0.5).abs() < 0.01, "half as far");
+    let in_view = motion.at(1.0, 1.0).view_from_world().transform_point3(target);
+    assert!(in_view.truncate().length() < 1e-12, "in the middle of the picture: {in_view}");
+    // Behind the last key it stays.
+    assert_eq!(motion.at(1.0, 7.0), motion.at(1.0, 1.0));
+}
+
+#[test]
+fn a_target_is_in_the_middle_and_nothing_is_cut_off() {
+    let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
+    let output = Output::new(640, 480, 1).expect("a size");
+    let target = DVec3::new(1.5, 0.2, 0.1);
+    for field_of_view in [None, Some(0.0)] {
+        let section = CameraSection { target: Some(target.to_array()), field_of_view, ..usual() };
+        let camera = Camera::framing(&section, &Extent::of(&points), &output).expect("a view");
+        assert!(camera.view_from_world().transform_point3(target).truncate().length() < 1e-12);
+        assert!((0.8..0.87).contains(&reach(&camera, &points)), "{}", reach(&camera, &points));
+    }
+}
+
+#[test]
+fn a_camera_knows_where_the_next_one_shows_a_point() {
+    let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
+    let key = |time, orbit, rise, dolly| CameraKeySection { time, orbit, rise, dolly, target: None };
+    for field_of_view in [None, Some(0.0)] {
+        let keys = vec![key(0.0, 0.0, 0.0, 1.0), key(1.0, 70.0, 20.0, 1.7)];
+        let motion = moving(&CameraSection { keys, field_of_view, ..usual() }, &points);
+        let (here, there) = (motion.at(0.0, 0.0), motion.at(1.0, 1.0));
+        for &point in points.iter().step_by(100) {
+            let carried = here.as_seen_by(&there).transform_point3(point);
+            let [a, b] = [bounds(&here, &[carried]), bounds(&there, &[point])];
+            assert!((0..2).all(|axis| (a[axis] - b[axis]).abs() < 1e-9), "{a:?} and {b:?}");
+        }
     }
 }

@@ -163,54 +163,6 @@ fn the_number_of_threads_changes_no_bit() {
 }
 
 #[test]
-fn files_read_back_as_they_were_made() {
-    let (positions, triangles) = torus(48, 20);
-    let film =
-        shown(&positions, &triangles, &Look::default(), &Output::new(80, 60, 4).expect("a size").with_layers(true));
-    let folder = tempfile::tempdir().expect("a folder");
-
-    let png = folder.path().join("frame.png");
-    film.write_png(&png).expect("a PNG");
-    let read = image::open(&png).expect("a readable PNG").into_rgb8();
-    assert_eq!(read.dimensions(), (80, 60));
-    assert_eq!(read.get_pixel(0, 0).0, [0xF4, 0xF3, 0xF0], "the background is exact");
-    assert_eq!(read.into_raw(), film.srgb_bytes());
-
-    let layers = film.layers().expect("layers");
-    let exr = folder.path().join("frame.exr");
-    film.write_exr(&exr).expect("an EXR");
-    let read = exr::prelude::read_first_flat_layer_from_file(&exr).expect("a readable EXR");
-    let layer = &read.layer_data;
-    assert_eq!((layer.size.0, layer.size.1), (80, 60));
-    let channels: Vec<(String, &exr::prelude::FlatSamples)> =
-        layer.channel_data.list.iter().map(|channel| (channel.name.to_string(), &channel.sample_data)).collect();
-    let names: Vec<&str> = channels.iter().map(|(name, _)| name.as_str()).collect();
-    assert_eq!(names, ["A", "B", "G", "N.X", "N.Y", "N.Z", "R", "Z"]);
-    for (name, samples) in &channels {
-        let values: Vec<f32> = samples.values_as_f32().collect();
-        match name.as_str() {
-            "A" => assert!(values.iter().zip(film.beauty()).all(|(a, pixel)| (a - pixel.w).abs() < 1e-3)),
-            "R" => assert!(values.iter().zip(film.beauty()).all(|(r, pixel)| (r - pixel.x).abs() < 1e-3)),
-            "Z" => assert_eq!(&values, &layers.depth),
-            "N.Y" => assert!(values.iter().zip(&layers.normals).all(|(y, normal)| *y == normal.y)),
-            _ => {}
-        }
-    }
-    let left: Vec<_> = std::fs::read_dir(folder.path()).expect("a folder").collect();
-    assert_eq!(left.len(), 2, "no temporary is left behind");
-}
-
-#[test]
-fn a_file_that_cannot_be_written_is_an_error_with_its_path() {
-    let (positions, triangles) = torus(8, 6);
-    let film = shown(&positions, &triangles, &Look::default(), &Output::new(8, 6, 1).expect("a size"));
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("missing").join("frame.png");
-    let message = film.write_png(&path).expect_err("there is no such folder").to_string();
-    assert!(message.contains("missing") && message.contains("check that the folder exists"), "{message}");
-}
-
-#[test]
 fn triangles_without_area_or_with_wild_corners_are_left_out_and_counted() {
     let (mut positions, mut triangles) = torus(24, 12);
     let good = triangles.len();

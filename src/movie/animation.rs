@@ -9,7 +9,7 @@ use std::{
 use tempfile::NamedTempFile;
 
 use super::{MovieError, apng::Apng, gif::Gif, gif::Palette};
-use crate::scene::AnimationFormat;
+use crate::{render::temporary_beside, scene::AnimationFormat};
 
 /// A moving picture in the making. Frames are pushed in order as sRGB bytes, three per pixel, row by row.
 pub(super) trait Animation: Send {
@@ -55,8 +55,7 @@ pub(super) struct Draft {
 
 impl Draft {
     pub fn begin(path: PathBuf) -> Result<Draft, MovieError> {
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let file = tempfile::Builder::new().prefix(".immerse-").tempfile_in(folder);
+        let file = temporary_beside(&path);
         Ok(Draft { file: file.map_err(|error| MovieError::write(&path, error))?, path })
     }
 

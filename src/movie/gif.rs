@@ -18,12 +18,14 @@ pub(super) struct Palette {
     colors: Vec<u8>,
     /// The nearest to each cell of colour space.
     nearest: Vec<u8>,
+    /// Width of the dither in steps of 8 bits.
+    dither: f32,
 }
 
 /// Cells of colour space along each axis, as a power of 2.
 const CELL_BITS: u32 = 6;
-/// Width of the dither in steps of 8 bits: about the distance of neighbouring colours.
-const DITHER: f32 = 14.0;
+/// A wider dither would be seen more than the steps that it hides.
+const WIDEST_DITHER: f32 = 16.0;
 /// One of so many pixels is looked at by the network that finds the colours.
 const SAMPLING: i32 = 3;
 
@@ -57,20 +59,33 @@ impl Palette {
             };
             (0..colors.len() / 3).min_by_key(|&index| distance(index)).unwrap_or(0) as u8
         });
-        Palette { nearest: nearest.collect(), colors }
+        Palette { nearest: nearest.collect(), dither: mean_distance(&colors).min(WIDEST_DITHER), colors }
     }
 
     fn index(&self, color: [u8; 3], x: usize, y: usize) -> u8 {
         if color[..] == self.colors[..3] {
             return 0;
         }
-        let noise = (ordered(x, y) - 0.5) * DITHER;
+        let noise = (ordered(x, y) - 0.5) * self.dither;
         let cell = color.iter().fold(0_usize, |cell, &value| {
             let value = (f32::from(value) + noise).clamp(0.0, 255.0) as usize;
             (cell << CELL_BITS) + (value >> (8 - CELL_BITS))
         });
         self.nearest[cell]
     }
+}
+
+/// Mean distance of a colour from the nearest other one.
+fn mean_distance(colors: &[u8]) -> f32 {
+    let (colors, _) = colors.as_chunks::<3>();
+    let distance = |a: &[u8; 3], b: &[u8; 3]| {
+        (0..3).map(|axis| (f32::from(a[axis]) - f32::from(b[axis])).powi(2)).sum::<f32>().sqrt()
+    };
+    let nearest = |color: &[u8; 3]| {
+        colors.iter().filter(|other| *other != color).map(|other| distance(color, other)).fold(f32::MAX, f32::min)
+    };
+    let distances = colors.iter().map(nearest).filter(|distance| *distance < f32::MAX);
+    distances.sum::<f32>() / colors.len().max(1) as f32
 }
 
 /// Thresholds between 0 and 1 that are spread evenly over every square of 8 pixels (Bayer).

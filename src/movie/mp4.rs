@@ -1,13 +1,16 @@
 //! H.264 video in an MP4 file.
 
-use std::{fs::File, io::BufWriter};
+use std::{
+    fs::File,
+    io::{BufWriter, Write},
+};
 
 use muxide::api::{Muxer, MuxerBuilder, VideoCodec};
 use openh264::{
     OpenH264API,
     encoder::{
         BitRate, Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode,
-        UsageType, VuiConfig,
+        VuiConfig,
     },
     formats::YUVSlices,
 };
@@ -45,7 +48,6 @@ impl Mp4 {
             .bitrate(BitRate::from_bps(bits.clamp(1e6, 2e8) as u32))
             .max_frame_rate(FrameRate::from_hz(rate as f32))
             .rate_control_mode(RateControlMode::Quality)
-            .usage_type(UsageType::CameraVideoNonRealTime)
             .complexity(Complexity::High)
             .qp(QpRange::new(QUANTIZATION[0], QUANTIZATION[1]))
             .intra_frame_period(IntraFramePeriod::from_num_frames((rate.ceil() as u32).max(1)))
@@ -80,8 +82,9 @@ impl Animation for Mp4 {
     }
 
     fn finish(self: Box<Self>) -> Result<(), MovieError> {
-        let Mp4 { muxer, draft, .. } = *self;
-        muxer.finish().map_err(|error| draft.error(error))?;
+        let Mp4 { mut muxer, draft, .. } = *self;
+        muxer.finish_in_place().map_err(|error| draft.error(error))?;
+        muxer.into_writer().flush().map_err(|error| draft.error(error))?;
         draft.publish()
     }
 }

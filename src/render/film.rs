@@ -1,10 +1,11 @@
 use std::{
-    io::Write,
-    path::{Path, PathBuf},
+    io::{self, Write},
+    path::Path,
 };
 
 use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
+use tempfile::NamedTempFile;
 
 use super::{RenderError, color::srgb_from_linear};
 
@@ -86,7 +87,7 @@ impl Film {
     pub fn srgb_bytes(&self) -> Vec<u8> {
         let (width, [left, top]) = (self.width, self.corner);
         // A background of one colour needs no dither.
-        let flat = self.background.windows(2).all(|rows| rows[0] == rows[1]);
+        let flat = self.background.iter().all(|color| is_same(*color, self.background[0]));
         let pixel = |(index, light): (usize, &Vec4)| {
             let dither = if flat && light.w == 0.0 { 0.0 } else { dither(left + index % width, top + index / width) };
             self.over_background(index, light)
@@ -153,7 +154,7 @@ impl Film {
     pub fn paste(&mut self, picture: &Film, [left, top]: [usize; 2]) {
         let width = picture.width.min(self.width.saturating_sub(left));
         for y in 0..picture.height.min(self.height.saturating_sub(top)) {
-            let same_background = picture.background[y] == self.background[top + y];
+            let same_background = is_same(picture.background[y], self.background[top + y]);
             for x in 0..width {
                 let index = y * picture.width + x;
                 let light = picture.beauty[index];
@@ -214,15 +215,28 @@ pub(super) fn write_error(path: &Path, error: impl std::fmt::Display) -> RenderE
 
 /// Writes a temporary file next to the target, then renames it.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
-    };
-    let mut file =
-        tempfile::Builder::new().prefix(".immerse-").tempfile_in(&folder).map_err(|error| write_error(path, error))?;
+    let mut file = temporary_beside(path).map_err(|error| write_error(path, error))?;
     file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| write_error(path, error))?;
     file.persist(path).map_err(|error| write_error(path, error.error))?;
     Ok(())
+}
+
+/// Whether colours are the same but for rounding.
+fn is_same(a: Vec3, b: Vec3) -> bool {
+    a.abs_diff_eq(b, 1e-6)
+}
+
+/// A file under a temporary name in the folder of a path, with the rights of any new file.
+pub(crate) fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
+    let folder = match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".immerse-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder.tempfile_in(folder)
 }
 
 /// Noise of one quantization step, different from pixel to pixel and the same in every run.

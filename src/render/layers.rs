@@ -32,17 +32,15 @@ impl<'a> LayerBuilder<'a> {
     /// Adds the pixels of a row.
     pub fn push_row(&mut self, y: usize, row: &[Pixel]) {
         for (x, pixel) in row.iter().enumerate() {
-            let distance = if pixel.id == NOTHING {
-                f32::INFINITY
-            } else {
-                self.shader.camera.distance(f64::from(pixel.depth)) as f32
-            };
-            self.layers.depth.push(distance);
             if pixel.id < FIRST_TUBE {
                 self.push_surface(pixel.id as usize, [x as f32 + 0.5, y as f32 + 0.5]);
-            } else {
-                self.push_nothing();
+                continue;
             }
+            let distance = match pixel.id {
+                NOTHING => f32::INFINITY,
+                _ => self.shader.camera.distance(f64::from(pixel.depth)) as f32,
+            };
+            self.push_no_surface(distance);
         }
     }
 
@@ -57,7 +55,8 @@ impl<'a> LayerBuilder<'a> {
         let position = mixed(scenery.positions);
         let view_normal: Vec3A = (0..3).map(|k| stage.normals[corners[k] as usize] * weights[k]).sum();
         let view_normal = view_normal.normalize_or(stage.face_normals[face]);
-        let world_from_view = self.shader.camera.view_from_world().matrix3.transpose();
+        let view_from_world = self.shader.camera.view_from_world();
+        let world_from_view = view_from_world.matrix3.transpose();
         let normal = (world_from_view * Vec3::from(view_normal).as_dvec3()).as_vec3();
         let motion = if scenery.next_positions.is_empty() {
             Vec2::ZERO
@@ -67,6 +66,7 @@ impl<'a> LayerBuilder<'a> {
             if motion.is_finite() { motion } else { Vec2::ZERO }
         };
         let layers = &mut self.layers;
+        layers.depth.push(-view_from_world.transform_point3(position).z as f32);
         layers.normals.push(normal);
         layers.positions.push(position.as_vec3());
         layers.face_ids.push(triangle as u32);
@@ -79,8 +79,9 @@ impl<'a> LayerBuilder<'a> {
         }
     }
 
-    fn push_nothing(&mut self) {
+    fn push_no_surface(&mut self, distance: f32) {
         let layers = &mut self.layers;
+        layers.depth.push(distance);
         layers.normals.push(Vec3::ZERO);
         layers.positions.push(Vec3::ZERO);
         layers.face_ids.push(u32::MAX);

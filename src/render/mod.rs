@@ -50,6 +50,7 @@ pub use color_map::ColorMap;
 pub use error::RenderError;
 pub use extent::Extent;
 pub use field::{Field, FieldSpread, FieldValues};
+pub(crate) use film::temporary_beside;
 pub use film::{Exposure, Film, Layers};
 pub use frame::render;
 pub use legend::Legend;

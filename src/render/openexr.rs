@@ -58,7 +58,9 @@ impl Film {
         };
         let mut bytes = Cursor::new(Vec::new());
         image.write().to_buffered(&mut bytes).map_err(|error| write_error(path, error))?;
-        write_whole(path, &bytes.into_inner())
+        let mut bytes = bytes.into_inner();
+        sort_attributes(&mut bytes);
+        write_whole(path, &bytes)
     }
 }
 
@@ -132,6 +134,28 @@ fn world_to_ndc(camera: &Camera) -> Matrix4x4 {
 /// OpenEXR multiplies rows by matrices and lists matrices row by row: the columns of ours.
 fn row_vector_matrix(matrix: DMat4) -> Matrix4x4 {
     matrix.to_cols_array().map(|value| value as f32)
+}
+
+/// Puts the attributes of the header in the order of their names, so that the same picture has the same bytes: the
+/// encoder keeps them in a hash map. The header keeps its length.
+fn sort_attributes(file: &mut [u8]) {
+    // Magic number and version come first; an attribute is name, type (both end with 0), size and value; an empty
+    // name ends the header.
+    const START: usize = 8;
+    let text_end = |from: usize| file[from..].iter().position(|&byte| byte == 0).map(|length| from + length + 1);
+    let attribute_end = |from: usize| {
+        let size_at = text_end(text_end(from)?)?;
+        let size = file.get(size_at..size_at + 4)?.try_into().map(u32::from_le_bytes).ok()?;
+        Some(size_at + 4 + size as usize).filter(|&end| end < file.len())
+    };
+    let (mut attributes, mut at) = (Vec::new(), START);
+    while file.get(at).is_some_and(|&byte| byte != 0) {
+        let Some(end) = attribute_end(at) else { return };
+        attributes.push(file[at..end].to_vec());
+        at = end;
+    }
+    attributes.sort_unstable();
+    file[START..at].copy_from_slice(&attributes.concat());
 }
 
 /// Texts of OpenEXR are Latin-1.
