@@ -23,7 +23,7 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
     let mesh = Mesh::from_faces(frames[0].len(), triangles).expect("a manifold");
     let film =
         Film { scene: "test".into(), fingerprint: 7, frame_count: frames.len(), checks: scene("").checks.clone() };
-    let cache = Cache::open_or_create(folder, &film, &mesh).expect("a cache");
+    let cache = Cache::open_or_create(folder, &film, &mesh, None).expect("a cache");
     for (k, positions) in frames.iter().enumerate() {
         let time = if frames.len() > 1 { k as f64 / (frames.len() - 1) as f64 } else { 0.0 };
         let report = FrameReport {
