@@ -30,11 +30,16 @@ impl Occluder {
             })
             .collect();
         if triangles.is_empty() {
-            return Self { tree: None, triangles };
+            return Self::none();
         }
         let tree = build_cwbvh_from_tris(&triangles, BvhBuildParams::fast_build(), &mut Duration::default());
         let triangles = tree.primitive_indices.iter().map(|&index| triangles[index as usize]).collect();
         Self { tree: Some(tree), triangles }
+    }
+
+    /// Nothing in the way.
+    pub fn none() -> Self {
+        Self { tree: None, triangles: Vec::new() }
     }
 
     /// Distance to the first triangle within `reach`.

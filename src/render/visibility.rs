@@ -56,6 +56,9 @@ const LARGE_FACE: f32 = 48.0;
 
 impl Visibility {
     pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
+        if look.occlusion_reach == 0.0 && !(look.shadows && lights.0.iter().any(|light| light.shadow)) {
+            return Self::unhindered(stage, lights);
+        }
         let occluder = Occluder::new(stage);
         let seen = stage.sides_seen();
         let sky = [0, 1].map(|side| {
@@ -71,8 +74,18 @@ impl Visibility {
             shade: Vec::new(),
             shadow_points: disk_points(SHADOW_RAYS).into_iter().rev().collect(),
         };
-        visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
+        visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, look, &seen)).collect();
         visibility
+    }
+
+    /// Where nothing hides anything.
+    fn unhindered(stage: &Stage, lights: &Lights) -> Self {
+        Self {
+            occluder: Occluder::none(),
+            sky: [0, 1].map(|_| vec![1.0; stage.positions.len()]),
+            shade: vec![Vec::new(); lights.0.len()],
+            shadow_points: Vec::new(),
+        }
     }
 
     /// Share of the sky seen at a vertex from one side (0 front, 1 back).
@@ -108,8 +121,8 @@ impl Visibility {
         }
     }
 
-    fn shade_per_face(&self, stage: &Stage, light: &Light, seen: &[[bool; 2]]) -> Vec<Shade> {
-        if !light.shadow {
+    fn shade_per_face(&self, stage: &Stage, light: &Light, look: &Look, seen: &[[bool; 2]]) -> Vec<Shade> {
+        if !light.shadow || !look.shadows {
             return Vec::new();
         }
         // Least and greatest share per vertex and side; vertices that face away say nothing.
