@@ -67,6 +67,18 @@ pub enum RenderError {
         /// The most a side may have.
         limit: usize,
     },
+    /// The part that is asked for is not in the picture.
+    #[error(
+        "crop = {window:?} (x, y, width, height) is not a part of a picture of {width} x {height} pixels; choose a part that is not empty and lies inside"
+    )]
+    Crop {
+        /// x, y, width and height as given.
+        window: [usize; 4],
+        /// Pixels across the whole picture.
+        width: usize,
+        /// Pixels down the whole picture.
+        height: usize,
+    },
     /// There is no pattern of so many samples.
     #[error("[output] samples = {0} is not available; write 1, 4, 8 or 16")]
     Samples(usize),

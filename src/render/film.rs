@@ -17,6 +17,8 @@ use super::{RenderError, color::srgb_from_linear};
 pub struct Film {
     pub(super) width: usize,
     pub(super) height: usize,
+    /// Where in the whole picture the upper left pixel is, if this is a part of one.
+    pub(super) origin: [usize; 2],
     /// Behind the surface, one colour per row.
     pub(super) background: Vec<Vec3>,
     /// Red, green, blue (already multiplied by the coverage) and coverage, after the tone curve.
@@ -74,14 +76,25 @@ impl Film {
 
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
-        let width = self.width;
-        let pixel = |(index, light): (usize, &Vec4)| {
-            let color = light.truncate() + self.background[index / width] * (1.0 - light.w);
-            // The background alone has no gradient and needs no dither.
-            let dither = if light.w > 0.0 { dither(index % width, index / width) } else { 0.0 };
-            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
+        let encode = |color: Vec3, noise: f32| {
+            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + noise + 0.5).clamp(0.0, 255.0) as u8)
         };
-        self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
+        let mut bytes = vec![0; 3 * self.width * self.height];
+        let rows = bytes.par_chunks_mut(3 * self.width).zip(self.beauty.par_chunks(self.width)).enumerate();
+        rows.for_each(|(y, (bytes, row))| {
+            let background = self.background[y];
+            // The background alone has no gradient and needs no dither.
+            let bare = encode(background, 0.0);
+            for (x, (bytes, light)) in bytes.as_chunks_mut().0.iter_mut().zip(row).enumerate() {
+                *bytes = if light.w > 0.0 {
+                    let color = light.truncate() + background * (1.0 - light.w);
+                    encode(color, dither(self.origin[0] + x, self.origin[1] + y))
+                } else {
+                    bare
+                };
+            }
+        });
+        bytes
     }
 
     /// Writes an 8-bit sRGB PNG. The file appears whole or not at all.
@@ -116,6 +129,7 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> 
 
 /// Noise of one quantization step, different from pixel to pixel and the same in every run.
 fn dither(x: usize, y: usize) -> f32 {
-    let noise = (52.982_918 * (0.067_110_56 * x as f32 + 0.005_837_15 * y as f32).fract()).fract();
-    noise - 0.5
+    // Numbers that are not negative: conversion cuts off the fraction, faster than `fract`.
+    let fraction = |value: f32| value - (value as u32) as f32;
+    fraction(52.982_918 * fraction(0.067_110_56 * x as f32 + 0.005_837_15 * y as f32)) - 0.5
 }

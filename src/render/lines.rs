@@ -6,7 +6,6 @@ use rayon::prelude::*;
 use super::{
     Camera, Lines, Output, Scenery,
     intersect::self_intersections,
-    project::Projection,
     stage::Stage,
     tube::{ScreenTube, Stroke},
 };
@@ -16,7 +15,7 @@ use super::{
 const OUTLINE_SINK: f32 = 0.6;
 /// The lines of a picture, in a fixed order: silhouettes, boundary, self-intersections, rims, pinch points.
 pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, lines: &Lines, output: &Output) -> Vec<ScreenTube> {
-    let projection = Projection::new(camera, output);
+    let projection = &stage.projection;
     let tube = |ends: [DVec3; 2], width: f32, stroke: Stroke| {
         let radius = width / 2.0;
         if width == 0.0 || !ends.iter().all(|end| end.is_finite()) {

@@ -8,6 +8,7 @@ pub struct Output {
     height: usize,
     samples: usize,
     layers: bool,
+    window: [usize; 4],
 }
 
 impl Output {
@@ -26,7 +27,7 @@ impl Output {
         if ![1, 4, 8, 16].contains(&samples) {
             return Err(RenderError::Samples(samples));
         }
-        Ok(Self { width, height, samples, layers: false })
+        Ok(Self { width, height, samples, layers: false, window: [0, 0, width, height] })
     }
 
     /// The picture a scene asks for.
@@ -42,17 +43,36 @@ impl Output {
         Self { layers, ..self }
     }
 
+    /// Only a part of the picture, `[x, y, width, height]` in its pixels from the upper left: the same bits as that
+    /// part of the whole.
+    ///
+    /// # Errors
+    /// [`RenderError::Crop`] if the part is empty or not inside the picture.
+    pub fn with_crop(self, window: [usize; 4]) -> Result<Self, RenderError> {
+        let [x, y, width, height] = window;
+        let inside = |start: usize, length: usize, size: usize| length > 0 && start < size && length <= size - start;
+        if inside(x, width, self.width) && inside(y, height, self.height) {
+            return Ok(Self { window, ..self });
+        }
+        Err(RenderError::Crop { window, width: self.width, height: self.height })
+    }
+
+    /// The part of the picture that is made: x, y, width, height.
+    pub fn window(&self) -> [usize; 4] {
+        self.window
+    }
+
     /// Whether the film has [`Layers`](super::Layers).
     pub fn has_layers(&self) -> bool {
         self.layers
     }
 
-    /// Pixels across.
+    /// Pixels across the whole picture.
     pub fn width(&self) -> usize {
         self.width
     }
 
-    /// Pixels down.
+    /// Pixels down the whole picture.
     pub fn height(&self) -> usize {
         self.height
     }

@@ -40,7 +40,7 @@ impl Shader<'_> {
     pub fn face(&self, face: usize, at: [f32; 2]) -> Shaded {
         let stage = self.stage;
         let corners = stage.faces[face];
-        let (toward_eye, weights) = self.sight(face, at);
+        let (toward_eye, weights) = stage.sight(face, at);
         let mix = |values: [Vec3A; 3]| values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
         let side = usize::from(!stage.shows_front[face]);
         let points = corners.map(|vertex| stage.positions[vertex as usize]);
@@ -110,27 +110,6 @@ impl Shader<'_> {
         }
         let grazing = 1.0 - normal.dot(toward_eye).clamp(0.0, 1.0);
         (albedo * diffuse + specular) * (1.0 - self.look.rim_darkening * grazing * grazing * grazing)
-    }
-
-    /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
-    pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
-        let x = 2.0 * f64::from(at[0]) / self.output.width() as f64 - 1.0;
-        let y = 1.0 - 2.0 * f64::from(at[1]) / self.output.height() as f64;
-        let (origin, direction) = self.camera.view_ray(x, y);
-        let (origin, direction) = (self.stage.of_view(origin), direction.as_vec3a().normalize());
-        let [a, b, c] = self.stage.faces[face].map(|vertex| self.stage.positions[vertex as usize]);
-        // Möller and Trumbore; the ray meets the face by construction, up to rounding at its edges.
-        let (to_b, to_c, to_origin) = (b - a, c - a, origin - a);
-        let across = direction.cross(to_c);
-        let determinant = to_b.dot(across);
-        let beta = to_origin.dot(across) / determinant;
-        let gamma = direction.dot(to_origin.cross(to_b)) / determinant;
-        if !(beta + gamma).is_finite() {
-            return (-direction, [1.0 / 3.0; 3]);
-        }
-        let clamped = [1.0 - beta - gamma, beta, gamma].map(|weight| weight.clamp(0.0, 1.0));
-        let sum: f32 = clamped.iter().sum();
-        (-direction, clamped.map(|weight| weight / sum))
     }
 
     /// Mesh edges one pixel wide, each half drawn by the face on its side.
