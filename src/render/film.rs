@@ -85,16 +85,27 @@ impl Film {
 
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
-        let (width, [left, top]) = (self.width, self.corner);
         // A background of one colour needs no dither.
         let flat = self.background.iter().all(|color| is_same(*color, self.background[0]));
-        let pixel = |(index, light): (usize, &Vec4)| {
-            let dither = if flat && light.w == 0.0 { 0.0 } else { dither(left + index % width, top + index / width) };
-            self.over_background(index, light)
-                .to_array()
-                .map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
+        let [left, top] = self.corner;
+        let encode = |color: Vec3, noise: f32| {
+            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + noise + 0.5).clamp(0.0, 255.0) as u8)
         };
-        self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
+        let mut bytes = vec![0; 3 * self.width * self.height];
+        let rows = bytes.par_chunks_mut(3 * self.width).zip(self.beauty.par_chunks(self.width)).enumerate();
+        rows.for_each(|(y, (bytes, row))| {
+            let background = self.background[y];
+            let bare = encode(background, 0.0);
+            for (x, (bytes, light)) in bytes.as_chunks_mut().0.iter_mut().zip(row).enumerate() {
+                *bytes = if light.w > 0.0 || !flat {
+                    let color = light.truncate() + background * (1.0 - light.w);
+                    encode(color, dither(left + x, top + y))
+                } else {
+                    bare
+                };
+            }
+        });
+        bytes
     }
 
     /// The picture over its background in sRGB with 16 bits, three values per pixel, row by row.
@@ -106,33 +117,6 @@ impl Film {
 
     fn over_background(&self, index: usize, light: &Vec4) -> Vec3 {
         light.truncate() + self.background[index / self.width] * (1.0 - light.w)
-    }
-
-    /// A part of the picture: x, y, width and height from its upper left corner. It must lie in it.
-    pub(super) fn cropped(self, [left, top, width, height]: [usize; 4]) -> Film {
-        if [left, top, width, height] == [0, 0, self.width, self.height] {
-            return self;
-        }
-        let stride = self.width;
-        let part = Part { rows: top..top + height, columns: left..left + width, stride };
-        Film {
-            width,
-            height,
-            corner: [self.corner[0] + left, self.corner[1] + top],
-            background: self.background[top..top + height].to_vec(),
-            beauty: part.of(&self.beauty),
-            layers: self.layers.map(|layers| Layers {
-                depth: part.of(&layers.depth),
-                normals: part.of(&layers.normals),
-                positions: part.of(&layers.positions),
-                face_ids: part.of(&layers.face_ids),
-                sides: part.of(&layers.sides),
-                motion: part.of(&layers.motion),
-                occlusion: part.of(&layers.occlusion),
-                fields: layers.fields.iter().map(|(name, values)| (name.clone(), part.of(values))).collect(),
-            }),
-            ..self
-        }
     }
 
     /// An empty picture of one colour (linear light), to be pasted on.
@@ -163,20 +147,6 @@ impl Film {
                 self.beauty[(top + y) * self.width + left + x] = light;
             }
         }
-    }
-}
-
-/// Some rows and columns of a picture.
-struct Part {
-    rows: std::ops::Range<usize>,
-    columns: std::ops::Range<usize>,
-    stride: usize,
-}
-
-impl Part {
-    fn of<T: Copy>(&self, values: &[T]) -> Vec<T> {
-        let row = |y: usize| &values[y * self.stride..][self.columns.clone()];
-        self.rows.clone().flat_map(row).copied().collect()
     }
 }
 
@@ -241,6 +211,7 @@ pub(crate) fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
 
 /// Noise of one quantization step, different from pixel to pixel and the same in every run.
 fn dither(x: usize, y: usize) -> f32 {
-    let noise = (52.982_918 * (0.067_110_56 * x as f32 + 0.005_837_15 * y as f32).fract()).fract();
-    noise - 0.5
+    // Numbers that are not negative: conversion cuts off the fraction, faster than `fract`.
+    let fraction = |value: f32| value - (value as u32) as f32;
+    fraction(52.982_918 * fraction(0.067_110_56 * x as f32 + 0.005_837_15 * y as f32)) - 0.5
 }

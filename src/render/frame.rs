@@ -2,22 +2,30 @@ use glam::{Vec3, Vec4};
 use rayon::prelude::*;
 
 use super::{
-    Camera, Film, Lights, Look, Output, RenderError, Scenery,
-    bins::Bins,
+    Camera, Film, Lights, Look, Material, Output, RenderError, Scenery,
+    bins::{Bins, Tiles},
+    filter::{Filter, LightTile},
+    fragments::{Fragment, Gatherer, composited},
+    gaps::Gaps,
     ground::draw_ground_shadow,
     layers::LayerBuilder,
     lines::tubes,
-    project::{Projection, ScreenTriangle},
-    raster::{FIRST_TUBE, MARGIN, NOTHING, SampleTile, TILE},
-    samples::{SUBPIXELS, filter_weights, pattern},
-    shade::{Shaded, Shader},
+    project::ScreenTriangle,
+    raster::{Canvas, Region, draw},
+    samples::SamplePattern,
+    shade::Shader,
     stage::Stage,
+    tile::{FIRST_TUBE, MARGIN, NOTHING, SampleTile, TILE},
     tube::ScreenTube,
     visibility::Visibility,
 };
 
 /// Tiles in the making at the same time: enough for many threads.
 const TILES_AT_A_TIME: usize = 512;
+/// Triangles are projected and sorted into tiles in this many batches at most …
+const BATCHES: usize = 64;
+/// … of at least this many triangles.
+const LEAST_BATCH: usize = 1 << 13;
 
 /// Makes a picture. The same input gives the same bits on any number of threads.
 ///
@@ -31,180 +39,283 @@ pub fn render(
     output: &Output,
 ) -> Result<Film, RenderError> {
     scenery.validate()?;
-    let stage = Stage::new(scenery, camera, output);
+    let stage = Stage::new(scenery, camera, look, output);
     let tubes = tubes(scenery, &stage, camera, look, output);
     let most = stage.faces.len().max(tubes.len());
     if most >= FIRST_TUBE as usize - 1 {
         return Err(RenderError::TooManyPrimitives(most));
     }
-    let triangles = Projection::new(camera, output).triangles(&stage.faces, scenery.positions, output);
     let visibility = Visibility::new(&stage, lights, look);
-    let pattern = pattern(output.samples());
-    let frame = Frame {
-        scenery,
-        triangle_bins: Bins::new(triangles.iter().map(ScreenTriangle::bounds), TILE, MARGIN, output),
-        tube_bins: Bins::new(tubes.iter().map(ScreenTube::bounds), TILE, MARGIN, output),
-        triangles,
-        tubes,
-        weights: filter_weights(&pattern),
-        pattern,
-        shader: Shader { scenery, stage: &stage, visibility: &visibility, camera, lights, look, output },
+    let shader = Shader { scenery, stage: &stage, visibility: &visibility, camera, lights, look, output };
+    let mut film = match output.samples() {
+        1 => Frame::<1>::new(scenery, tubes, shader).film(),
+        4 => Frame::<4>::new(scenery, tubes, shader).film(),
+        8 => Frame::<8>::new(scenery, tubes, shader).film(),
+        _ => Frame::<16>::new(scenery, tubes, shader).film(),
     };
-    let mut film = frame.film();
     if let Some(ground) = scenery.ground
         && look.ground_shadow > 0.0
     {
-        draw_ground_shadow(&mut film, ground, &frame.shader);
+        draw_ground_shadow(&mut film, ground, &shader);
     }
-    Ok(film.cropped(output.window()))
+    Ok(film)
 }
 
-/// What tiles are made from.
-struct Frame<'a> {
+/// What tiles of S samples per pixel are made from.
+struct Frame<'a, const S: usize> {
     scenery: &'a Scenery<'a>,
-    triangles: Vec<ScreenTriangle>,
+    tiles: Tiles,
+    /// In the order of the triangles.
+    batches: Vec<Batch>,
     tubes: Vec<ScreenTube>,
-    triangle_bins: Bins,
     tube_bins: Bins,
-    pattern: Vec<[i64; 2]>,
-    weights: Vec<f32>,
+    pattern: SamplePattern<S>,
+    filter: Filter<S>,
+    gaps: Option<Gaps<'a>>,
     shader: Shader<'a>,
 }
 
-/// A finished pixel.
-#[derive(Clone, Copy)]
-pub struct Pixel {
-    pub beauty: Vec4,
-    /// The primitive that most of its samples see.
+/// Some of the triangles.
+struct Batch {
+    triangles: Vec<ScreenTriangle>,
+    bins: Bins,
+}
+
+/// What is known of a finished pixel besides its light.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// The primitive that most of its samples see, or the nearest one if one can see through.
     pub id: u32,
     /// The nearest depth of those samples.
     pub depth: f32,
 }
 
-impl Pixel {
-    const EMPTY: Pixel = Pixel { beauty: Vec4::ZERO, id: NOTHING, depth: 0.0 };
+impl Seen {
+    const NOTHING: Seen = Seen { id: NOTHING, depth: 0.0 };
 }
 
-impl Frame<'_> {
-    /// Rasterizes, shades and filters a tile; its pixels row by row.
-    fn tile(&self, tile: usize) -> Vec<Pixel> {
-        let output = self.shader.output;
-        let columns = output.width().div_ceil(TILE);
-        let mut samples = SampleTile::new(tile % columns, tile / columns, output, &self.pattern);
-        let inner = samples.inner;
-        let count = ((inner.x[1] - inner.x[0]) * (inner.y[1] - inner.y[0])) as usize;
-        let (triangles, tubes) = (self.triangle_bins.of(tile), self.tube_bins.of(tile));
-        if triangles.is_empty() && tubes.is_empty() {
-            return vec![Pixel::EMPTY; count];
+/// The pixels of a finished tile row by row; empty if nothing touches it.
+#[derive(Default)]
+struct Pixels {
+    light: Vec<Vec4>,
+    /// If the film has layers.
+    seen: Vec<Seen>,
+}
+
+impl<'a, const S: usize> Frame<'a, S> {
+    fn new(scenery: &'a Scenery<'a>, tubes: Vec<ScreenTube>, shader: Shader<'a>) -> Self {
+        let (stage, pattern) = (shader.stage, SamplePattern::new());
+        let tiles = Tiles::new(TILE, MARGIN, shader.output);
+        Self {
+            batches: batches(scenery, stage, &tiles),
+            tube_bins: Bins::new(tubes.iter().map(ScreenTube::pixels), &tiles),
+            gaps: Gaps::new(shader.look.pattern, stage, scenery.positions),
+            filter: Filter::new(&pattern),
+            scenery,
+            tiles,
+            tubes,
+            pattern,
+            shader,
         }
-        for &triangle in triangles {
-            samples.draw_triangle(&self.triangles[triangle as usize]);
+    }
+
+    /// Rasterizes, shades and filters a tile.
+    fn tile(&self, tile: usize) -> Pixels {
+        let inner = self.region(tile);
+        let tubes = self.tube_bins.of(tile);
+        if tubes.is_empty() && self.batches.iter().all(|batch| batch.bins.of(tile).is_empty()) {
+            return Pixels::default();
+        }
+        let mut samples = SampleTile::new(inner, &self.pattern);
+        let outer = samples.outer;
+        let is_opaque = self.shader.look.is_opaque();
+        if is_opaque {
+            self.draw_triangles(tile, &outer, &mut samples);
         }
         for &tube in tubes {
             samples.draw_tube(FIRST_TUBE + tube, &self.tubes[tube as usize]);
         }
-        let shaded = self.shade(&samples);
-        let mut pixels = Vec::with_capacity(count);
+        let mut light = LightTile::new(outer);
+        self.shade(&samples, &mut light);
+        let wants_seen = self.shader.output.has_layers();
+        let mut seen = if wants_seen { dominant_of(&samples) } else { Vec::new() };
+        if !is_opaque {
+            self.add_fragments(tile, &outer, &samples, &mut light, &mut seen);
+        }
+        // What is unlit keeps its colour.
+        if self.shader.look.material != Material::Flat {
+            light.tone();
+        }
+        let mut pixels = Pixels::default();
         for y in inner.y[0]..inner.y[1] {
-            for x in inner.x[0]..inner.x[1] {
-                pixels.push(self.filtered(&samples, &shaded, x, y));
+            pixels.light.extend((inner.x[0]..inner.x[1]).map(|x| self.filter.pixel(&light, x, y)));
+            if wants_seen {
+                pixels.seen.extend((inner.x[0]..inner.x[1]).map(|x| seen[outer.index(x, y)]));
             }
         }
         pixels
     }
 
-    /// The colour of every sample, from one shading per pixel and primitive.
-    fn shade(&self, samples: &SampleTile) -> Vec<Shaded> {
-        let count = self.pattern.len();
+    /// The pixels of a tile that are in the window.
+    fn region(&self, tile: usize) -> Region {
+        let [x, y, width, height] = self.shader.output.window().map(|value| value as i32);
+        let corner = self.tiles.corner(tile);
+        let span = |axis: usize, start: i32, length: i32| {
+            [corner[axis].max(start), (corner[axis] + TILE as i32).min(start + length)]
+        };
+        Region { x: span(0, x, width), y: span(1, y, height) }
+    }
+
+    /// Draws what of a tile's triangles lies in a region, in their order.
+    fn draw_triangles(&self, tile: usize, region: &Region, canvas: &mut impl Canvas<S>) {
+        for batch in &self.batches {
+            for &index in batch.bins.of(tile) {
+                let triangle = &batch.triangles[index as usize];
+                match &self.gaps {
+                    None => draw(triangle, &self.pattern, region, canvas),
+                    Some(gaps) => {
+                        let canvas = &mut gaps.over(canvas, triangle.id as usize, &self.pattern);
+                        draw(triangle, &self.pattern, region, canvas);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The light at every sample, from one shading per pixel and primitive.
+    fn shade(&self, samples: &SampleTile<S>, light: &mut LightTile<S>) {
         let outer = samples.outer;
-        let mut shaded =
-            vec![Shaded::default(); ((outer.x[1] - outer.x[0]) * (outer.y[1] - outer.y[0])) as usize * count];
         for y in outer.y[0]..outer.y[1] {
             for x in outer.x[0]..outer.x[1] {
-                let pixel = samples.pixel_index(x, y);
+                let pixel = outer.index(x, y);
                 let ids = samples.ids(pixel);
-                let colors = &mut shaded[pixel * count..][..count];
-                for (first, &id) in ids.iter().enumerate() {
+                let first = ids[0];
+                if ids.iter().all(|&id| id == first) {
+                    if first != NOTHING {
+                        light.set_even(pixel, self.seen_light(first, u32::MAX, [x, y]));
+                    }
+                    continue;
+                }
+                let mut lights = [Vec4::ZERO; S];
+                for sample in 0..S {
+                    let id = ids[sample];
                     if id == NOTHING {
                         continue;
                     }
-                    if let Some(earlier) = ids[..first].iter().position(|&other| other == id) {
-                        colors[first] = colors[earlier];
-                        continue;
-                    }
-                    let at = self.middle_of_samples(ids, id, x, y);
-                    let shaded = if id < FIRST_TUBE {
-                        self.shader.face(id as usize, at)
-                    } else {
-                        self.shader.tube(&self.tubes[(id - FIRST_TUBE) as usize], at)
+                    let earlier = ids[..sample].iter().position(|&other| other == id);
+                    lights[sample] = match earlier {
+                        Some(earlier) => lights[earlier],
+                        None => {
+                            let seeing = (0..S).fold(0, |mask, s| mask | u32::from(ids[s] == id) << s);
+                            self.seen_light(id, seeing, [x, y])
+                        }
                     };
-                    colors[first] = Shaded { color: self.shader.look.toned(shaded.color), ..shaded };
                 }
+                light.set(pixel, lights);
             }
         }
-        shaded
     }
 
-    /// Mean place, in pixels, of the samples that see a primitive: always on it, as it is convex.
-    fn middle_of_samples(&self, ids: &[u32], id: u32, x: i64, y: i64) -> [f32; 2] {
-        let seeing = self.pattern.iter().zip(ids).filter(|&(_, &other)| other == id);
-        let (sum, count) =
-            seeing.fold(([0, 0], 0), |(sum, count), (place, _)| ([sum[0] + place[0], sum[1] + place[1]], count + 1));
-        let scale = 1.0 / (count.max(1) * SUBPIXELS) as f32;
-        [x as f32 + sum[0] as f32 * scale, y as f32 + sum[1] as f32 * scale]
+    /// Light of an opaque primitive at the middle of the samples that see it, which is on it, as it is convex.
+    fn seen_light(&self, id: u32, samples: u32, pixel: [i32; 2]) -> Vec4 {
+        let at = self.middle(samples, pixel);
+        let shaded = if id < FIRST_TUBE {
+            self.shader.face(id as usize, at)
+        } else {
+            self.shader.tube(&self.tubes[(id - FIRST_TUBE) as usize], at)
+        };
+        shaded.color.extend(1.0)
     }
 
-    fn filtered(&self, samples: &SampleTile, shaded: &[Shaded], x: i64, y: i64) -> Pixel {
-        let count = self.pattern.len();
-        let mut beauty = Vec4::ZERO;
-        for neighbour in 0..9 {
-            let pixel = samples.pixel_index(x + neighbour % 3 - 1, y + neighbour / 3 - 1);
-            let ids = samples.ids(pixel);
-            let colors = &shaded[pixel * count..][..count];
-            let weights = &self.weights[neighbour as usize * count..][..count];
-            for ((&id, color), &weight) in ids.iter().zip(colors).zip(weights) {
-                if id != NOTHING {
-                    beauty += color.color.extend(1.0) * weight;
-                }
+    fn middle(&self, samples: u32, pixel: [i32; 2]) -> [f32; 2] {
+        let middle = self.pattern.middle(samples);
+        [pixel[0] as f32 + middle[0], pixel[1] as f32 + middle[1]]
+    }
+
+    /// Lays what one can see through over the opaque things, in parts if it is too much at once.
+    fn add_fragments(
+        &self,
+        tile: usize,
+        region: &Region,
+        samples: &SampleTile<S>,
+        light: &mut LightTile<S>,
+        seen: &mut [Seen],
+    ) {
+        let mut gatherer = Gatherer::new(*region, samples);
+        self.draw_triangles(tile, region, &mut gatherer);
+        if gatherer.is_full() {
+            for half in region.halves() {
+                self.add_fragments(tile, &half, samples, light, seen);
+            }
+            return;
+        }
+        let fragments = gatherer.by_pixel();
+        for fragments in fragments.chunk_by(|a, b| a.pixel == b.pixel) {
+            let place = region.pixel(fragments[0].pixel as usize);
+            let pixel = samples.outer.index(place[0], place[1]);
+            let layers: Vec<(Vec3, f32)> = fragments
+                .iter()
+                .map(|fragment| {
+                    let shaded = self.shader.face(fragment.id as usize, self.middle(fragment.samples, place));
+                    (shaded.color, shaded.opacity)
+                })
+                .collect();
+            light.set(pixel, composited(fragments, &layers, light.at(pixel)));
+            if let Some(seen) = seen.get_mut(pixel) {
+                *seen = nearest(fragments, *seen);
             }
         }
-        let (id, depth) = dominant(samples, samples.pixel_index(x, y));
-        Pixel { beauty: whole(beauty), id, depth }
     }
+}
 
+impl<const S: usize> Frame<'_, S> {
     /// Makes all tiles, some rows of them at a time, so that little more than the film is in memory.
     fn film(&self) -> Film {
         let Shader { output, look, .. } = self.shader;
-        let (width, height) = (output.width(), output.height());
-        let columns = width.div_ceil(TILE);
-        let rows_at_a_time = TILES_AT_A_TIME.div_ceil(columns);
+        let [left, top, width, height] = output.window();
+        let [columns, rows] = self.tiles.count();
         let mut film = Film {
             width,
             height,
-            whole: [width, height],
-            corner: [0, 0],
-            background: gradient(look.background, height),
-            beauty: Vec::with_capacity(width * height),
+            whole: [output.width(), output.height()],
+            corner: [left, top],
+            background: gradient(look.background, output.height())[top..top + height].to_vec(),
+            beauty: vec![Vec4::ZERO; width * height],
             layers: None,
             skipped_triangles: self.shader.stage.skipped,
         };
         let mut layers = output.has_layers().then(|| LayerBuilder::new(self.scenery, &self.shader));
-        for first_row in (0..height.div_ceil(TILE)).step_by(rows_at_a_time) {
-            let top = first_row * TILE;
-            let bottom = (top + rows_at_a_time * TILE).min(height);
-            let first_tile = first_row * columns;
-            let last_tile = bottom.div_ceil(TILE) * columns;
-            let tiles: Vec<Vec<Pixel>> = (first_tile..last_tile).into_par_iter().map(|tile| self.tile(tile)).collect();
-            for y in top..bottom {
-                let row: Vec<Pixel> = (0..width)
-                    .map(|x| {
-                        let tile_width = TILE.min(width - x / TILE * TILE);
-                        tiles[y / TILE * columns + x / TILE - first_tile][y % TILE * tile_width + x % TILE]
-                    })
-                    .collect();
-                film.beauty.extend(row.iter().map(|pixel| pixel.beauty));
-                if let Some(layers) = &mut layers {
-                    layers.push_row(y, &row);
+        let rows_at_a_time = TILES_AT_A_TIME.div_ceil(columns);
+        for first_row in (0..rows).step_by(rows_at_a_time) {
+            let last_row = (first_row + rows_at_a_time).min(rows);
+            let made: Vec<Pixels> =
+                (first_row * columns..last_row * columns).into_par_iter().map(|tile| self.tile(tile)).collect();
+            let regions: Vec<Region> = (first_row..last_row).map(|row| self.region(row * columns)).collect();
+            let (start, end) = (regions[0].y[0] as usize - top, regions[regions.len() - 1].y[1] as usize - top);
+            let pieces = |y: usize| {
+                let row = regions.partition_point(|region| region.y[1] <= (y + top) as i32);
+                (0..columns).map(move |column| {
+                    let region = self.region((first_row + row) * columns + column);
+                    let first = region.index(region.x[0], (y + top) as i32);
+                    (row * columns + column, first..first + region.width() as usize, region.x[0] as usize - left)
+                })
+            };
+            film.beauty[start * width..end * width].par_chunks_mut(width).enumerate().for_each(|(y, line)| {
+                for (tile, from, to) in pieces(start + y) {
+                    if !made[tile].light.is_empty() {
+                        line[to..to + from.len()].copy_from_slice(&made[tile].light[from]);
+                    }
+                }
+            });
+            if let Some(layers) = &mut layers {
+                for y in start..end {
+                    let mut line = vec![Seen::NOTHING; width];
+                    for (tile, from, to) in pieces(y) {
+                        if !made[tile].seen.is_empty() {
+                            line[to..to + from.len()].copy_from_slice(&made[tile].seen[from]);
+                        }
+                    }
+                    layers.push_row([left, top + y], &line);
                 }
             }
         }
@@ -213,25 +324,47 @@ impl Frame<'_> {
     }
 }
 
-/// The primitive that most samples of a pixel see, the first of equals, and its nearest depth.
-fn dominant(samples: &SampleTile, pixel: usize) -> (u32, f32) {
-    let (ids, depths) = (samples.ids(pixel), samples.depths(pixel));
-    let count = |id: u32| ids.iter().filter(|&&other| other == id).count();
-    let seen = ids.iter().copied().filter(|&id| id != NOTHING);
-    let Some(id) = seen.reduce(|best, id| if count(id) > count(best) { id } else { best }) else {
-        return (NOTHING, 0.0);
+/// Projects all faces and sorts them into tiles.
+fn batches(scenery: &Scenery, stage: &Stage, tiles: &Tiles) -> Vec<Batch> {
+    let size = stage.faces.len().div_ceil(BATCHES).max(LEAST_BATCH);
+    let batch = |(place, faces): (usize, &[[u32; 3]])| {
+        let mut triangles = Vec::with_capacity(faces.len());
+        for (id, corners) in (place * size..).zip(faces) {
+            let positions = corners.map(|vertex| scenery.positions[vertex as usize]);
+            let projected = corners.map(|vertex| stage.projected[vertex as usize]);
+            stage.projection.triangle(id as u32, positions, projected, |part| triangles.push(part));
+        }
+        let bins = Bins::new(triangles.iter().map(ScreenTriangle::bounds), tiles);
+        Batch { triangles, bins }
     };
-    let nearest = ids.iter().zip(depths).filter(|(other, _)| **other == id).map(|(_, depth)| *depth);
-    (id, nearest.fold(0.0, f32::max))
+    stage.faces.par_chunks(size).enumerate().map(batch).collect()
+}
+
+/// For every pixel of a tile the primitive that most samples see, the first of equals, and its nearest depth.
+fn dominant_of<const S: usize>(samples: &SampleTile<S>) -> Vec<Seen> {
+    let dominant = |pixel: usize| {
+        let (ids, depths) = (samples.ids(pixel), samples.depths(pixel));
+        let count = |id: u32| ids.iter().filter(|&&other| other == id).count();
+        let seen = ids.iter().copied().filter(|&id| id != NOTHING);
+        let Some(id) = seen.reduce(|best, id| if count(id) > count(best) { id } else { best }) else {
+            return Seen::NOTHING;
+        };
+        let nearest = ids.iter().zip(depths).filter(|(other, _)| **other == id).map(|(_, depth)| *depth);
+        Seen { id, depth: nearest.fold(0.0, f32::max) }
+    };
+    (0..(samples.outer.width() * samples.outer.height()) as usize).map(dominant).collect()
+}
+
+/// The nearest fragment, the first of equals, or what is opaque if that is nearer.
+fn nearest<const S: usize>(fragments: &[Fragment<S>], opaque: Seen) -> Seen {
+    fragments.iter().fold(opaque, |seen, fragment| {
+        let depth = fragment.nearest();
+        if depth > seen.depth { Seen { id: fragment.id, depth } } else { seen }
+    })
 }
 
 /// One colour per row, from the upper to the lower end.
 fn gradient([top, bottom]: [Vec3; 2], height: usize) -> Vec<Vec3> {
     let part = |row: usize| if height > 1 { row as f32 / (height - 1) as f32 } else { 0.0 };
     (0..height).map(|row| top.lerp(bottom, part(row))).collect()
-}
-
-/// Full coverage is exactly 1, whatever the rounding of the weights.
-fn whole(beauty: Vec4) -> Vec4 {
-    if beauty.w > 1.0 - 1e-5 { beauty / beauty.w } else { beauty }
 }

@@ -38,10 +38,11 @@ struct Ground {
 pub fn draw_ground_shadow(film: &mut Film, plane: Plane, shader: &Shader) {
     let strength = shader.look.ground_shadow;
     let Some(ground) = Ground::new(plane, shader) else { return };
-    let width = film.width;
+    let (width, [left, top]) = (film.width, film.corner);
     film.beauty.par_iter_mut().enumerate().with_min_len(4096).for_each(|(index, pixel)| {
         if pixel.w < 1.0 {
-            let (origin, direction) = shader.ray([(index % width) as f32 + 0.5, (index / width) as f32 + 0.5]);
+            let (origin, direction) =
+                shader.stage.ray([(left + index % width) as f32 + 0.5, (top + index / width) as f32 + 0.5]);
             let darkness = strength * ground.darkness_along(origin, direction);
             *pixel += Vec4::W * ((1.0 - pixel.w) * darkness);
         }
@@ -50,12 +51,13 @@ pub fn draw_ground_shadow(film: &mut Film, plane: Plane, shader: &Shader) {
 
 impl Ground {
     fn new(plane: Plane, shader: &Shader) -> Option<Self> {
-        let (center, _) = shader.camera.subject();
+        let (center, radius) = shader.camera.subject();
         let foot: DVec3 = center - plane.normal * (plane.normal.dot(center) - plane.offset);
         let view_from_world = shader.camera.view_from_world();
-        let origin = shader.stage.of_view(view_from_world.transform_point3(foot));
+        // Stage space has its origin in the middle of what is framed, and the framed radius as its unit.
+        let origin = (view_from_world.matrix3 * (foot - center) / radius).as_vec3a();
         let normal = (view_from_world.matrix3 * plane.normal).as_vec3a().normalize();
-        let (eye, sight) = shader.ray([shader.output.width() as f32 / 2.0, shader.output.height() as f32 / 2.0]);
+        let (eye, sight) = shader.stage.ray([shader.output.width() as f32 / 2.0, shader.output.height() as f32 / 2.0]);
         if shader.stage.faces.is_empty() || (eye - origin).dot(normal) <= 0.0 && sight.dot(normal) >= 0.0 {
             return None;
         }

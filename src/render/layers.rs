@@ -4,41 +4,34 @@ use glam::{DVec3, Vec2, Vec3, Vec3A};
 
 use super::{
     Layers, Scenery,
-    frame::Pixel,
-    project::Projection,
-    raster::{FIRST_TUBE, NOTHING},
+    frame::Seen,
     shade::Shader,
+    tile::{FIRST_TUBE, NOTHING},
 };
 
 /// Layers in the making, row by row.
 pub struct LayerBuilder<'a> {
     scenery: &'a Scenery<'a>,
     shader: &'a Shader<'a>,
-    projection: Projection,
     layers: Layers,
 }
 
 impl<'a> LayerBuilder<'a> {
     pub fn new(scenery: &'a Scenery, shader: &'a Shader) -> Self {
         let fields = scenery.fields.iter().map(|field| (field.name.clone(), Vec::new())).collect();
-        Self {
-            scenery,
-            shader,
-            projection: Projection::new(shader.camera, shader.output),
-            layers: Layers { fields, ..Layers::default() },
-        }
+        Self { scenery, shader, layers: Layers { fields, ..Layers::default() } }
     }
 
-    /// Adds the pixels of a row.
-    pub fn push_row(&mut self, y: usize, row: &[Pixel]) {
-        for (x, pixel) in row.iter().enumerate() {
-            if pixel.id < FIRST_TUBE {
-                self.push_surface(pixel.id as usize, [x as f32 + 0.5, y as f32 + 0.5]);
+    /// Adds the pixels of a row that begins at x, y.
+    pub fn push_row(&mut self, [first, y]: [usize; 2], row: &[Seen]) {
+        for (x, seen) in (first..).zip(row) {
+            if seen.id < FIRST_TUBE {
+                self.push_surface(seen.id as usize, [x as f32 + 0.5, y as f32 + 0.5]);
                 continue;
             }
-            let distance = match pixel.id {
+            let distance = match seen.id {
                 NOTHING => f32::INFINITY,
-                _ => self.shader.camera.distance(f64::from(pixel.depth)) as f32,
+                _ => self.shader.camera.distance(f64::from(seen.depth)) as f32,
             };
             self.push_no_surface(distance);
         }
@@ -46,7 +39,7 @@ impl<'a> LayerBuilder<'a> {
 
     fn push_surface(&mut self, face: usize, at: [f32; 2]) {
         let (scenery, stage) = (self.scenery, self.shader.stage);
-        let (_, weights) = self.shader.sight(face, at);
+        let (_, weights) = stage.sight(face, at);
         let corners = stage.faces[face];
         let triangle = stage.triangles[face] as usize;
         let side = usize::from(!stage.shows_front[face]);
@@ -61,7 +54,7 @@ impl<'a> LayerBuilder<'a> {
         let motion = if scenery.next_positions.is_empty() {
             Vec2::ZERO
         } else {
-            let pixel = |point: DVec3| self.projection.pixel(self.projection.clip(point)).truncate();
+            let pixel = |point: DVec3| stage.projection.pixel(stage.projection.clip(point)).truncate();
             let motion = (pixel(mixed(scenery.next_positions)) - pixel(position)).as_vec2();
             if motion.is_finite() { motion } else { Vec2::ZERO }
         };

@@ -24,7 +24,7 @@ const FAINTEST: f64 = 0.25;
 /// pinch points, pins.
 pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, output: &Output) -> Vec<ScreenTube> {
     let lines = &look.lines;
-    let pen = Pen { projection: Projection::new(camera, output), scenery, camera, look, output };
+    let pen = Pen { projection: &stage.projection, scenery, camera, look, output };
     let at = |ends: [u32; 2]| ends.map(|vertex| scenery.positions[vertex as usize]);
     let edges = Edges::new(scenery, stage, lines);
     let is_there = |ends: &&[u32; 2]| !pen.is_in_a_gap(**ends);
@@ -63,7 +63,7 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, out
 
 /// Turns segments of space into tubes on the picture.
 struct Pen<'a> {
-    projection: Projection,
+    projection: &'a Projection,
     scenery: &'a Scenery<'a>,
     camera: &'a Camera,
     look: &'a Look,

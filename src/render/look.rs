@@ -2,10 +2,7 @@ use std::path::Path;
 
 use glam::Vec3;
 
-use super::{
-    ColorMap, RenderError,
-    color::{linear_from_srgb, tone_mapped},
-};
+use super::{ColorMap, RenderError, color::linear_from_srgb};
 use crate::scene::{ColorMapName, LineSection, LookSection, MaterialName, PatternKind};
 
 /// Colours, material and lines. Colours are linear light. The default is the studio look: a
@@ -202,11 +199,6 @@ impl Look {
     /// Whether all of the surface hides what is behind it.
     pub fn is_opaque(&self) -> bool {
         self.opacity == [1.0; 2] && self.edge_opacity == 1.0
-    }
-
-    /// Light as it is shown: what is unlit keeps its colour, else the tone curve applies.
-    pub(super) fn toned(&self, color: Vec3) -> Vec3 {
-        if self.material == Material::Flat { color } else { tone_mapped(color) }
     }
 }
 

@@ -1,174 +1,246 @@
-//! Tiles of samples: which primitive each sample sees, and how far away.
+//! Which samples a triangle covers, exactly, and how far away it is there.
+//!
+//! Corners and samples lie on grids of 256 and 16 steps per pixel, so edge functions are integers and the
+//! question whether a sample is inside has one answer: triangles that share an edge leave no crack and
+//! hit no sample twice.
 
-use super::{Output, project::ScreenTriangle, samples::SUBPIXELS, tube::ScreenTube};
+use super::{
+    project::ScreenTriangle,
+    samples::{SUBPIXELS, SamplePattern},
+};
 
-/// Side of a tile in pixels.
-pub const TILE: usize = 64;
-/// Pixels around a tile that are rasterized too, because the filter of its pixels reaches there.
-pub const MARGIN: usize = 1;
-/// Samples that see nothing.
-pub const NOTHING: u32 = u32::MAX;
-/// Ids from here on are tubes, below triangles.
-pub const FIRST_TUBE: u32 = 1 << 31;
-/// Pixels along a side of the blocks that are tested as a whole.
-const BLOCK: i64 = 8;
+/// Pixels along a side of the blocks that are accepted or rejected as a whole.
+pub const BLOCK: i32 = 8;
+/// Triangles that touch at most this many pixels in a row or column are drawn without looking at blocks.
+const SMALL: i32 = 12;
+/// Sample places are multiples of 2^4 subpixels.
+const SAMPLE_STEP: i32 = 4;
+/// Sample places per pixel.
+const STEPS: i32 = SUBPIXELS >> SAMPLE_STEP;
 
 /// A rectangle of pixels, ends excluded.
 #[derive(Clone, Copy, Debug)]
 pub struct Region {
-    pub x: [i64; 2],
-    pub y: [i64; 2],
+    pub x: [i32; 2],
+    pub y: [i32; 2],
 }
 
-/// The visibility buffer of one tile and its margin.
-#[derive(Clone, Debug)]
-pub struct SampleTile {
-    /// The pixels of the tile itself.
-    pub inner: Region,
-    /// Those with the margin.
-    pub outer: Region,
-    pattern: Vec<[i64; 2]>,
-    depth: Vec<f32>,
-    id: Vec<u32>,
+impl Region {
+    /// What two rectangles have in common, if anything.
+    pub fn common(&self, other: &Region) -> Option<Region> {
+        let span = |a: [i32; 2], b: [i32; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+        let common = Region { x: span(self.x, other.x), y: span(self.y, other.y) };
+        (common.x[0] < common.x[1] && common.y[0] < common.y[1]).then_some(common)
+    }
+
+    pub fn width(&self) -> i32 {
+        self.x[1] - self.x[0]
+    }
+
+    pub fn height(&self) -> i32 {
+        self.y[1] - self.y[0]
+    }
+
+    /// Its upper and lower half, or left and right if it is one row.
+    pub fn halves(&self) -> [Region; 2] {
+        if self.height() > 1 {
+            let middle = self.y[0] + self.height() / 2;
+            [Region { y: [self.y[0], middle], ..*self }, Region { y: [middle, self.y[1]], ..*self }]
+        } else {
+            let middle = self.x[0] + self.width() / 2;
+            [Region { x: [self.x[0], middle], ..*self }, Region { x: [middle, self.x[1]], ..*self }]
+        }
+    }
+
+    /// The pixel at a place in rows of the region.
+    pub fn pixel(&self, index: usize) -> [i32; 2] {
+        [self.x[0] + index as i32 % self.width(), self.y[0] + index as i32 / self.width()]
+    }
+
+    /// Place of a pixel in rows of the region.
+    pub fn index(&self, x: i32, y: i32) -> usize {
+        ((y - self.y[0]) * self.width() + x - self.x[0]) as usize
+    }
 }
 
-impl SampleTile {
-    pub fn new(column: usize, row: usize, output: &Output, pattern: &[[i64; 2]]) -> Self {
-        let span = |tile: usize, size: usize| [(tile * TILE) as i64, ((tile + 1) * TILE).min(size) as i64];
-        let inner = Region { x: span(column, output.width()), y: span(row, output.height()) };
-        let grow = |[low, high]: [i64; 2]| [low - MARGIN as i64, high + MARGIN as i64];
-        let outer = Region { x: grow(inner.x), y: grow(inner.y) };
-        let count = ((outer.x[1] - outer.x[0]) * (outer.y[1] - outer.y[0])) as usize * pattern.len();
-        Self { inner, outer, pattern: pattern.to_vec(), depth: vec![0.0; count], id: vec![NOTHING; count] }
-    }
+/// What triangles are drawn on.
+pub trait Canvas<const S: usize> {
+    /// Says which face is drawn next.
+    fn begin(&mut self, id: u32);
+    /// Whether nothing as near as this, or farther, can be seen in the block that begins at a pixel.
+    fn hides(&mut self, x: i32, y: i32, nearest: f32) -> bool;
+    /// Takes a pixel. The sign of `outside` tells for each sample whether it is covered (not negative).
+    fn cover(&mut self, x: i32, y: i32, outside: [i32; S], depth: [f32; S]);
+}
 
-    /// Place of a pixel of the outer region in rows of it.
-    pub fn pixel_index(&self, x: i64, y: i64) -> usize {
-        ((y - self.outer.y[0]) * (self.outer.x[1] - self.outer.x[0]) + x - self.outer.x[0]) as usize
+/// Draws what of a triangle lies in a region.
+#[inline(always)]
+pub fn draw<const S: usize>(
+    triangle: &ScreenTriangle,
+    pattern: &SamplePattern<S>,
+    region: &Region,
+    canvas: &mut impl Canvas<S>,
+) {
+    let [across, down] = triangle.bounds();
+    let touched = Region { x: [across[0], across[1] + 1], y: [down[0], down[1] + 1] };
+    let Some(part) = touched.common(region) else { return };
+    canvas.begin(triangle.id);
+    let outline = Outline::new(triangle, pattern);
+    let plane = Plane::new(triangle, pattern);
+    if touched.width().max(touched.height()) <= SMALL {
+        let origin = [touched.x[0], touched.y[0]];
+        let start = [0, 1, 2].map(|k| outline.at(k, origin) as i32);
+        outline.fill(start, &plane.seen_from(origin), origin, &part, canvas);
+        return;
     }
-
-    /// What the samples of a pixel see.
-    pub fn ids(&self, pixel: usize) -> &[u32] {
-        &self.id[pixel * self.pattern.len()..][..self.pattern.len()]
+    let first = [part.x[0].div_euclid(BLOCK) * BLOCK, part.y[0].div_euclid(BLOCK) * BLOCK];
+    for y in (first[1]..part.y[1]).step_by(BLOCK as usize) {
+        for x in (first[0]..part.x[1]).step_by(BLOCK as usize) {
+            let block = Region { x: [x, x + BLOCK], y: [y, y + BLOCK] };
+            let Some(block_part) = block.common(&part) else { continue };
+            let Some((crossing, start)) = outline.in_block([x, y]) else { continue };
+            let depth = plane.seen_from([x, y]);
+            if canvas.hides(x, y, depth.nearest_in_block()) {
+                continue;
+            }
+            crossing.fill(start, &depth, [x, y], &block_part, canvas);
+        }
     }
+}
 
-    /// How far the samples of a pixel see: z / w of clip space, 0 for nothing.
-    pub fn depths(&self, pixel: usize) -> &[f32] {
-        &self.depth[pixel * self.pattern.len()..][..self.pattern.len()]
-    }
+/// The three edges as functions of the sample steps, not negative on the inside.
+///
+/// `right x + down y + constant >= 0`, with x and y in subpixels, asks the same as
+/// `right x' + down y' + floor(constant / 16) >= 0` in sample steps, x = 16 x'. Where an edge passes through a block
+/// of 128 steps, that is at most 128 (|right| + |down|), which fits 32 bits because of the guard band.
+#[derive(Clone, Copy)]
+struct Outline<const S: usize> {
+    right: [i32; 3],
+    down: [i32; 3],
+    /// From the upper left corner of a pixel to its samples.
+    to_samples: [[i32; S]; 3],
+    /// A corner on each edge, in subpixels.
+    through: [[i32; 2]; 3],
+}
 
-    /// Draws a triangle. Of two primitives at the same depth the first one drawn stays.
-    pub fn draw_triangle(&mut self, triangle: &ScreenTriangle) {
-        let edges = [0, 1, 2].map(|k| Edge::new(triangle.corners[k], triangle.corners[(k + 1) % 3]));
-        let Some(region) = self.touched(
-            [0, 1].map(|axis| triangle.corners.iter().map(|corner| corner[axis]).min().unwrap_or(0)),
-            [0, 1].map(|axis| triangle.corners.iter().map(|corner| corner[axis]).max().unwrap_or(0)),
-        ) else {
-            return;
+impl<const S: usize> Outline<S> {
+    #[inline(always)]
+    fn new(triangle: &ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
+        let edge = |k: usize| {
+            let (from, to) = (triangle.corners[k], triangle.corners[(k + 1) % 3]);
+            [from[1] - to[1], to[0] - from[0]]
         };
-        let [mut block_y, end_y] = region.y;
-        while block_y < end_y {
-            let y_end = (block_y + BLOCK).min(end_y);
-            let mut block_x = region.x[0];
-            while block_x < region.x[1] {
-                let x_end = (block_x + BLOCK).min(region.x[1]);
-                let block = Region { x: [block_x, x_end], y: [block_y, y_end] };
-                if edges.iter().all(|edge| edge.reaches(&block)) {
-                    self.draw_triangle_in(triangle, &edges, &block);
-                }
-                block_x = x_end;
-            }
-            block_y = y_end;
-        }
+        let (right, down) = ([0, 1, 2].map(|k| edge(k)[0]), [0, 1, 2].map(|k| edge(k)[1]));
+        let to_samples = [0, 1, 2].map(|k| std::array::from_fn(|s| right[k] * pattern.x[s] + down[k] * pattern.y[s]));
+        Self { right, down, to_samples, through: triangle.corners }
     }
 
-    fn draw_triangle_in(&mut self, triangle: &ScreenTriangle, edges: &[Edge; 3], block: &Region) {
-        let samples = self.pattern.len();
-        let [low, high] = triangle.depth_range;
-        for y in block.y[0]..block.y[1] {
-            for x in block.x[0]..block.x[1] {
-                let pixel = Region { x: [x, x + 1], y: [y, y + 1] };
-                if !edges.iter().all(|edge| edge.reaches(&pixel)) {
-                    continue;
-                }
-                let first = self.pixel_index(x, y) * samples;
-                for (sample, place) in self.pattern.iter().enumerate() {
-                    let at = [x * SUBPIXELS + place[0], y * SUBPIXELS + place[1]];
-                    // All three are non-negative exactly if no sign bit is set.
-                    if (edges[0].at(at) | edges[1].at(at) | edges[2].at(at)) < 0 {
-                        continue;
-                    }
-                    let [right, down] = at.map(|place| place as f64 / SUBPIXELS as f64);
-                    let depth = triangle.first.z
-                        + triangle.slope[0] * (right - triangle.first.x)
-                        + triangle.slope[1] * (down - triangle.first.y);
-                    let depth = depth.clamp(low, high) as f32;
-                    if depth > self.depth[first + sample] {
-                        self.depth[first + sample] = depth;
-                        self.id[first + sample] = triangle.id;
-                    }
-                }
-            }
-        }
+    /// An edge function at the upper left corner of a pixel.
+    ///
+    /// Top and left edges own the samples that lie on them, others do not: a sample on an edge shared by two
+    /// triangles belongs to exactly one.
+    #[inline(always)]
+    fn at(&self, edge: usize, pixel: [i32; 2]) -> i64 {
+        let top_left = self.right[edge] > 0 || (self.right[edge] == 0 && self.down[edge] > 0);
+        let offset = [0, 1].map(|axis| i64::from(pixel[axis] * SUBPIXELS - self.through[edge][axis]));
+        let value = i64::from(self.right[edge]) * offset[0] + i64::from(self.down[edge]) * offset[1];
+        (value - i64::from(!top_left)) >> SAMPLE_STEP
     }
 
-    /// Draws a tube, whose places are exact distances to its axis.
-    pub fn draw_tube(&mut self, id: u32, tube: &ScreenTube) {
-        let [low, high] = tube.bounds().map(|corner| corner.map(|value| (value * SUBPIXELS as f32) as i64));
-        let Some(region) = self.touched(low, high) else { return };
-        let samples = self.pattern.len();
+    /// The edges that pass through a block, and their values at its corner; those that the block lies wholly
+    /// inside of are zero. None if it lies outside of one.
+    #[inline(always)]
+    fn in_block(&self, pixel: [i32; 2]) -> Option<(Self, [i32; 3])> {
+        let (mut crossing, mut start) = (*self, [0; 3]);
+        for edge in 0..3 {
+            let value = self.at(edge, pixel);
+            let reach = i64::from(BLOCK * STEPS - 1);
+            let (right, down) = (i64::from(self.right[edge]) * reach, i64::from(self.down[edge]) * reach);
+            if value + right.max(0) + down.max(0) < 0 {
+                return None;
+            }
+            if value + right.min(0) + down.min(0) >= 0 {
+                (crossing.right[edge], crossing.down[edge]) = (0, 0);
+                crossing.to_samples[edge] = [0; S];
+            } else {
+                start[edge] = value as i32;
+            }
+        }
+        Some((crossing, start))
+    }
+
+    /// Visits the pixels of a region; `start` holds the edge functions at `origin`.
+    #[inline(always)]
+    fn fill(
+        &self,
+        start: [i32; 3],
+        depth: &SeenPlane<S>,
+        origin: [i32; 2],
+        region: &Region,
+        canvas: &mut impl Canvas<S>,
+    ) {
         for y in region.y[0]..region.y[1] {
+            let steps_down = (y - origin[1]) * STEPS;
+            let row = [0, 1, 2].map(|k| start[k] + self.down[k] * steps_down);
             for x in region.x[0]..region.x[1] {
-                let first = self.pixel_index(x, y) * samples;
-                for (sample, place) in self.pattern.iter().enumerate() {
-                    let at = [x as f32 + place[0] as f32 / 256.0, y as f32 + place[1] as f32 / 256.0];
-                    if let Some(depth) = tube.depth_at(at)
-                        && depth > self.depth[first + sample]
-                    {
-                        self.depth[first + sample] = depth;
-                        self.id[first + sample] = id;
-                    }
-                }
+                let steps_right = (x - origin[0]) * STEPS;
+                let pixel = [0, 1, 2].map(|k| row[k] + self.right[k] * steps_right);
+                let outside = std::array::from_fn(|s| {
+                    (pixel[0] + self.to_samples[0][s])
+                        | (pixel[1] + self.to_samples[1][s])
+                        | (pixel[2] + self.to_samples[2][s])
+                });
+                canvas.cover(x, y, outside, depth.at([x - origin[0], y - origin[1]]));
             }
         }
     }
+}
 
-    /// Pixels of this tile between two corners given in subpixels.
-    fn touched(&self, low: [i64; 2], high: [i64; 2]) -> Option<Region> {
-        let span = |low: i64, high: i64, limits: [i64; 2]| {
-            [low.div_euclid(SUBPIXELS).max(limits[0]), (high.div_euclid(SUBPIXELS) + 1).min(limits[1])]
-        };
-        let region = Region { x: span(low[0], high[0], self.outer.x), y: span(low[1], high[1], self.outer.y) };
-        (region.x[0] < region.x[1] && region.y[0] < region.y[1]).then_some(region)
+/// The depth of a triangle in double precision.
+struct Plane<'a, const S: usize> {
+    depth: [f64; 3],
+    slope: [f32; 2],
+    to_samples: [f32; S],
+    range: &'a [f32; 2],
+}
+
+impl<'a, const S: usize> Plane<'a, S> {
+    #[inline(always)]
+    fn new(triangle: &'a ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
+        let slope = [triangle.depth[1] as f32, triangle.depth[2] as f32];
+        let step = slope.map(|slope| slope / STEPS as f32);
+        let to_samples = std::array::from_fn(|s| step[0] * pattern.x[s] as f32 + step[1] * pattern.y[s] as f32);
+        Self { depth: triangle.depth, slope, to_samples, range: &triangle.depth_range }
+    }
+
+    #[inline(always)]
+    fn seen_from(&self, [x, y]: [i32; 2]) -> SeenPlane<'_, S> {
+        let start = self.depth[0] + self.depth[1] * f64::from(x) + self.depth[2] * f64::from(y);
+        SeenPlane { plane: self, start: start as f32 }
     }
 }
 
-/// A directed edge as an affine function that is non-negative on the inside.
-#[derive(Clone, Copy, Debug)]
-struct Edge {
-    x: i64,
-    y: i64,
-    constant: i64,
+/// The depth around a pixel, where single precision is enough. It depends on the triangle alone, not on the region
+/// that is drawn, so that parts of a picture have the bits of the whole.
+struct SeenPlane<'a, const S: usize> {
+    plane: &'a Plane<'a, S>,
+    start: f32,
 }
 
-impl Edge {
-    /// Top and left edges own the samples that lie on them, others do not: a sample on an edge shared by
-    /// two triangles belongs to exactly one.
-    fn new(from: [i64; 2], to: [i64; 2]) -> Self {
-        let (right, down) = (to[0] - from[0], to[1] - from[1]);
-        let top_left = down < 0 || (down == 0 && right > 0);
-        let constant = down * from[0] - right * from[1] - i64::from(!top_left);
-        Self { x: -down, y: right, constant }
+impl<const S: usize> SeenPlane<'_, S> {
+    #[inline(always)]
+    fn at(&self, [x, y]: [i32; 2]) -> [f32; S] {
+        let pixel = self.start + (self.plane.slope[0] * x as f32 + self.plane.slope[1] * y as f32);
+        let [low, high] = *self.plane.range;
+        self.plane.to_samples.map(|to_sample| (pixel + to_sample).max(low).min(high))
     }
 
-    fn at(&self, [x, y]: [i64; 2]) -> i64 {
-        self.x * x + self.y * y + self.constant
-    }
-
-    /// Whether any place of a region can be inside.
-    fn reaches(&self, region: &Region) -> bool {
-        let x = if self.x > 0 { region.x[1] * SUBPIXELS } else { region.x[0] * SUBPIXELS };
-        let y = if self.y > 0 { region.y[1] * SUBPIXELS } else { region.y[0] * SUBPIXELS };
-        self.at([x, y]) >= 0
+    /// No sample of the block that begins here is nearer.
+    #[inline(always)]
+    fn nearest_in_block(&self) -> f32 {
+        let side = BLOCK as f32;
+        let [right, down] = self.plane.slope.map(|slope| slope * side);
+        let rounding = 1e-5 * (right.abs() + down.abs() + self.start.abs());
+        (self.start + right.max(0.0) + down.max(0.0) + rounding).max(self.plane.range[0]).min(self.plane.range[1])
     }
 }

@@ -1,14 +1,14 @@
 //! Where in a pixel the samples lie, and how they are weighted into a picture.
 
 /// Subpixels per pixel: vertices and samples lie on this grid.
-pub const SUBPIXELS: i64 = 256;
+pub const SUBPIXELS: i32 = 256;
 
 /// Sample places within a pixel in sixteenths, on rotated grids: no two share a row or a column
 /// (up to the symmetry of the one in the middle).
-const ONE: [[i64; 2]; 1] = [[8, 8]];
-const FOUR: [[i64; 2]; 4] = [[6, 2], [14, 6], [2, 10], [10, 14]];
-const EIGHT: [[i64; 2]; 8] = [[9, 5], [7, 11], [13, 9], [5, 3], [3, 13], [1, 7], [11, 15], [15, 1]];
-const SIXTEEN: [[i64; 2]; 16] = [
+const ONE: [[i32; 2]; 1] = [[8, 8]];
+const FOUR: [[i32; 2]; 4] = [[6, 2], [14, 6], [2, 10], [10, 14]];
+const EIGHT: [[i32; 2]; 8] = [[9, 5], [7, 11], [13, 9], [5, 3], [3, 13], [1, 7], [11, 15], [15, 1]];
+const SIXTEEN: [[i32; 2]; 16] = [
     [9, 9],
     [7, 5],
     [5, 10],
@@ -27,15 +27,37 @@ const SIXTEEN: [[i64; 2]; 16] = [
     [1, 0],
 ];
 
-/// The sample places of one pixel in subpixels, x to the right and y down.
-pub fn pattern(samples: usize) -> Vec<[i64; 2]> {
-    let sixteenths: &[[i64; 2]] = match samples {
-        1 => &ONE,
-        4 => &FOUR,
-        8 => &EIGHT,
-        _ => &SIXTEEN,
-    };
-    sixteenths.iter().map(|place| place.map(|value| value * SUBPIXELS / 16)).collect()
+/// The sample places of one pixel in sixteenths, x to the right and y down.
+#[derive(Clone, Copy, Debug)]
+pub struct SamplePattern<const S: usize> {
+    pub x: [i32; S],
+    pub y: [i32; S],
+}
+
+impl<const S: usize> SamplePattern<S> {
+    /// The pattern of 1, 4, 8 or 16 samples.
+    pub fn new() -> Self {
+        let places: &[[i32; 2]] = match S {
+            1 => &ONE,
+            4 => &FOUR,
+            8 => &EIGHT,
+            _ => &SIXTEEN,
+        };
+        let place = |axis: usize| std::array::from_fn(|sample| places[sample % places.len()][axis]);
+        Self { x: place(0), y: place(1) }
+    }
+
+    /// A sample's place in pixels.
+    pub fn place(&self, sample: usize) -> [f32; 2] {
+        [self.x[sample] as f32 / 16.0, self.y[sample] as f32 / 16.0]
+    }
+
+    /// Mean place in pixels of the samples whose bits are set; the middle if none is.
+    pub fn middle(&self, mask: u32) -> [f32; 2] {
+        let seen = (0..S).filter(|sample| mask >> sample & 1 == 1);
+        let (x, y, count) = seen.fold((0, 0, 0), |(x, y, count), s| (x + self.x[s], y + self.y[s], count + 1));
+        if count == 0 { [0.5; 2] } else { [x, y].map(|sum| sum as f32 / (16 * count) as f32) }
+    }
 }
 
 /// Radius of the reconstruction filter in pixels; it reaches into the eight neighbours.
@@ -45,19 +67,18 @@ const FILTER_RADIUS: f32 = 1.5;
 ///
 /// A Blackman-Harris bell: no negative lobes, hence no ringing at the outline. With one sample per
 /// pixel there is nothing to reconstruct from, and the sample itself is the pixel.
-pub fn filter_weights(pattern: &[[i64; 2]]) -> Vec<f32> {
-    let mut weights = Vec::with_capacity(9 * pattern.len());
-    for neighbour in 0..9_i64 {
-        for place in pattern {
-            let offset = |axis: i64, place: i64| (axis - 1) as f32 + place as f32 / SUBPIXELS as f32 - 0.5;
-            weights.push(bell(offset(neighbour % 3, place[0])) * bell(offset(neighbour / 3, place[1])));
+pub fn filter_weights<const S: usize>(pattern: &SamplePattern<S>) -> [[f32; S]; 9] {
+    let weight = |neighbour: usize, sample: usize| {
+        if S == 1 {
+            return if neighbour == 4 { 1.0 } else { 0.0 };
         }
-    }
-    if pattern.len() == 1 {
-        weights = (0..9).map(|neighbour| if neighbour == 4 { 1.0 } else { 0.0 }).collect();
-    }
-    let sum: f32 = weights.iter().sum();
-    weights.iter().map(|weight| weight / sum).collect()
+        let place = pattern.place(sample);
+        bell((neighbour % 3) as f32 - 1.5 + place[0]) * bell((neighbour / 3) as f32 - 1.5 + place[1])
+    };
+    let weights: [[f32; S]; 9] =
+        std::array::from_fn(|neighbour| std::array::from_fn(|sample| weight(neighbour, sample)));
+    let sum: f32 = weights.iter().flatten().sum();
+    weights.map(|weights| weights.map(|weight| weight / sum))
 }
 
 fn bell(offset: f32) -> f32 {

@@ -12,6 +12,7 @@ use super::{
 };
 
 /// All that shading reads.
+#[derive(Clone, Copy)]
 pub struct Shader<'a> {
     pub scenery: &'a Scenery<'a>,
     pub stage: &'a Stage,
@@ -43,7 +44,7 @@ impl Shader<'_> {
     pub fn face(&self, face: usize, at: [f32; 2]) -> Shaded {
         let stage = self.stage;
         let corners = stage.faces[face];
-        let (toward_eye, weights) = self.sight(face, at);
+        let (toward_eye, weights) = stage.sight(face, at);
         let mix = |values: [Vec3A; 3]| values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
         let side = usize::from(!stage.shows_front[face]);
         let points = corners.map(|vertex| stage.positions[vertex as usize]);
@@ -110,7 +111,7 @@ impl Shader<'_> {
         let [along, across] = self.scenery.along.map(|field| {
             let corners = field?.at_corners(self.stage.triangles[face] as usize, self.stage.faces[face]);
             let value = |at: [f32; 2]| {
-                let weights = self.unclamped_weights(face, at);
+                let weights = self.stage.weights_in_plane(face, at);
                 (0..3).map(|k| corners[k] * weights[k]).sum::<f32>()
             };
             let here = value(at);
@@ -133,42 +134,6 @@ impl Shader<'_> {
         }
         let grazing = (1.0 - cosine.clamp(0.0, 1.0)).powi(2);
         face_on + (self.look.edge_opacity - face_on) * grazing
-    }
-
-    /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
-    pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
-        let (origin, direction) = self.ray(at);
-        let weights = self.weights_on(face, origin, direction);
-        if !weights.iter().all(|weight| weight.is_finite()) {
-            return (-direction, [1.0 / 3.0; 3]);
-        }
-        let clamped = weights.map(|weight| weight.clamp(0.0, 1.0));
-        let sum: f32 = clamped.iter().sum();
-        (-direction, clamped.map(|weight| weight / sum))
-    }
-
-    fn unclamped_weights(&self, face: usize, at: [f32; 2]) -> [f32; 3] {
-        let (origin, direction) = self.ray(at);
-        self.weights_on(face, origin, direction)
-    }
-
-    /// Origin and unit direction of sight, in stage space.
-    pub fn ray(&self, at: [f32; 2]) -> (Vec3A, Vec3A) {
-        let x = 2.0 * f64::from(at[0]) / self.output.width() as f64 - 1.0;
-        let y = 1.0 - 2.0 * f64::from(at[1]) / self.output.height() as f64;
-        let (origin, direction) = self.camera.view_ray(x, y);
-        (self.stage.of_view(origin), direction.as_vec3a().normalize())
-    }
-
-    /// Where a ray meets the plane of a face (Möller and Trumbore).
-    fn weights_on(&self, face: usize, origin: Vec3A, direction: Vec3A) -> [f32; 3] {
-        let [a, b, c] = self.stage.faces[face].map(|vertex| self.stage.positions[vertex as usize]);
-        let (to_b, to_c, to_origin) = (b - a, c - a, origin - a);
-        let across = direction.cross(to_c);
-        let determinant = to_b.dot(across);
-        let beta = to_origin.dot(across) / determinant;
-        let gamma = direction.dot(to_origin.cross(to_b)) / determinant;
-        [1.0 - beta - gamma, beta, gamma]
     }
 
     /// Mesh edges one pixel wide, each half drawn by the face on its side; they are opaque on thin sheets too.

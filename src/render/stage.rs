@@ -3,13 +3,13 @@
 use glam::{DVec3, Vec2, Vec3A};
 use rayon::prelude::*;
 
-use super::{Camera, Output, Scenery, project::Projection};
+use super::{Camera, Field, Look, Output, Scenery, project::Projection};
 
 /// The drawable part of a surface in stage space: axes as in view space, the origin in the middle of
 /// what the camera frames, and the framed radius as the unit of length.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    /// Shown triangles with finite corners and an area.
+    /// Shown triangles with finite corners and an area, without those that are wholly cut away.
     pub faces: Vec<[u32; 3]>,
     /// Which triangle of the scenery each of them is.
     pub triangles: Vec<u32>,
@@ -17,26 +17,40 @@ pub struct Stage {
     pub positions: Vec<Vec3A>,
     /// Unit normals, angle-weighted.
     pub normals: Vec<Vec3A>,
-    /// Pixel coordinates, not a number for what is behind the eye.
+    /// Pixel coordinates and depth, not a number for what is behind the eye.
+    pub projected: Vec<DVec3>,
+    /// Pixel coordinates alone.
     pub pixels: Vec<Vec2>,
     /// Unit normal of each face.
     pub face_normals: Vec<Vec3A>,
     /// Whether the eye sees the front of a face.
     pub shows_front: Vec<bool>,
+    /// For each of the two fields of the pattern, its values at the corners of each face; empty without.
+    pub along: [Vec<[f32; 3]>; 2],
     /// Triangles that were left out.
     pub skipped: usize,
-    /// The view's origin and scale in stage space.
-    center: DVec3,
-    radius: f64,
+    /// How world space is seen.
+    pub projection: Projection,
+    sight: Sight,
+}
+
+/// Rays of sight in stage space: what belongs to the upper left corner of the picture, and how it
+/// changes per pixel to the right and down.
+#[derive(Clone, Debug)]
+struct Sight {
+    origin: [Vec3A; 3],
+    direction: [Vec3A; 3],
 }
 
 /// Coordinates beyond this many framed radii are left out: single precision holds nothing there.
 const FARTHEST: f64 = 1e6;
 /// Triangles thinner than this (height over length) have no normal.
 const THINNEST: f64 = 1e-12;
+/// Faces whose angles are in memory at the same time.
+const FACES_AT_A_TIME: usize = 1 << 18;
 
 impl Stage {
-    pub fn new(scenery: &Scenery, camera: &Camera, output: &Output) -> Self {
+    pub fn new(scenery: &Scenery, camera: &Camera, look: &Look, output: &Output) -> Self {
         let (center_in_world, radius) = camera.subject();
         let view_from_world = camera.view_from_world();
         let center = view_from_world.transform_point3(center_in_world);
@@ -49,57 +63,105 @@ impl Stage {
             let [a, b, c] = corners.map(|vertex| exact[vertex as usize]);
             let longest = (b - a).length_squared().max((c - b).length_squared()).max((a - c).length_squared());
             [a, b, c].iter().all(|corner| corner.is_finite() && corner.abs().max_element() < FARTHEST)
-                && (b - a).cross(c - a).length() > THINNEST * longest
+                && (b - a).cross(c - a).length_squared() > THINNEST * THINNEST * longest * longest
         };
-        let shown = |triangle: &usize| scenery.shown.get(*triangle).copied().unwrap_or(true);
-        let candidates = (0..scenery.triangles.len()).into_par_iter().filter(shown);
         let hidden = scenery.shown.iter().filter(|shown| !**shown).count();
-        let triangles: Vec<u32> = candidates
+        let mut triangles: Vec<u32> = (0..scenery.triangles.len())
+            .into_par_iter()
+            .filter(|&triangle| scenery.shown.get(triangle).copied().unwrap_or(true))
             .filter(|&triangle| usable(&scenery.triangles[triangle]))
             .map(|triangle| triangle as u32)
             .collect();
-        let faces: Vec<[u32; 3]> = triangles.iter().map(|&triangle| scenery.triangles[triangle as usize]).collect();
+        let skipped = scenery.triangles.len() - hidden - triangles.len();
+        let corners_of = |triangles: &[u32]| -> Vec<[u32; 3]> {
+            triangles.par_iter().map(|&triangle| scenery.triangles[triangle as usize]).collect()
+        };
+        let mut faces = corners_of(&triangles);
+        let mut face_normals = face_normals(&faces, &exact);
+        // What is cut away still bends the normals at the cut.
+        let normals = vertex_normals(&faces, &face_normals, &exact);
+        if let Some(cut) = look.cut {
+            let kept = |corners: &[u32; 3]| {
+                corners.iter().any(|&vertex| scenery.positions[vertex as usize].dot(cut.normal) < cut.offset)
+            };
+            let kept: Vec<bool> = faces.par_iter().map(kept).collect();
+            let mut flags = kept.iter();
+            triangles.retain(|_| *flags.next().unwrap_or(&true));
+            let mut flags = kept.iter();
+            face_normals.retain(|_| *flags.next().unwrap_or(&true));
+            faces = corners_of(&triangles);
+        }
 
-        let (eye, sight) = camera.view_ray(0.0, 0.0);
+        let (eye, line_of_sight) = camera.view_ray(0.0, 0.0);
         let perspective = camera.is_perspective();
-        let eye = (eye - center) / radius;
-        let face_normals: Vec<DVec3> = faces
-            .par_iter()
-            .map(|corners| {
-                let [a, b, c] = corners.map(|vertex| exact[vertex as usize]);
-                (b - a).cross(c - a).normalize_or_zero()
-            })
-            .collect();
-        let shows_front = faces
-            .par_iter()
-            .zip(&face_normals)
+        let eye = ((eye - center) / radius).as_vec3a();
+        let line_of_sight = line_of_sight.as_vec3a();
+        let positions: Vec<Vec3A> = exact.par_iter().map(|position| position.as_vec3a()).collect();
+        let shows_front = (faces.par_iter().zip(&face_normals))
             .map(|(corners, normal)| {
-                let toward_eye = if perspective { eye - exact[corners[0] as usize] } else { -sight };
+                let toward_eye = if perspective { eye - positions[corners[0] as usize] } else { -line_of_sight };
                 normal.dot(toward_eye) > 0.0
             })
             .collect();
-        let projection = Projection::new(camera, output);
-        let pixels = scenery.positions.par_iter().map(|&position| {
-            let clip = projection.clip(position);
-            if clip.w > 0.0 && clip.z <= clip.w { projection.pixel(clip).truncate().as_vec2() } else { Vec2::NAN }
-        });
+        let projection = Projection::new(camera, look, output);
+        let projected: Vec<DVec3> =
+            scenery.positions.par_iter().map(|&position| projection.projected(position)).collect();
+        let at_corners = |field: Option<&Field>| match (field, look.pattern) {
+            (Some(field), Some(_)) => triangles
+                .par_iter()
+                .zip(&faces)
+                .map(|(&triangle, &corners)| field.at_corners(triangle as usize, corners))
+                .collect(),
+            _ => Vec::new(),
+        };
         Self {
-            normals: vertex_normals(&faces, &face_normals, &exact),
-            positions: exact.iter().map(|position| position.as_vec3a()).collect(),
-            pixels: pixels.collect(),
-            face_normals: face_normals.iter().map(|normal| normal.as_vec3a()).collect(),
+            pixels: projected.par_iter().map(|place| place.truncate().as_vec2()).collect(),
+            along: scenery.along.map(at_corners),
+            sight: Sight::new(camera, output, |point| ((point - center) / radius).as_vec3a()),
+            normals,
+            positions,
+            projected,
+            face_normals,
             shows_front,
-            skipped: scenery.triangles.len() - hidden - faces.len(),
+            skipped,
+            projection,
             triangles,
             faces,
-            center,
-            radius,
         }
     }
 
-    /// A point of view space in stage space.
-    pub fn of_view(&self, point: DVec3) -> Vec3A {
-        ((point - self.center) / self.radius).as_vec3a()
+    /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
+    pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
+        let (origin, direction) = self.ray(at);
+        let weights = self.weights_along(face, origin, direction);
+        if !weights.iter().all(|weight| weight.is_finite()) {
+            return (-direction, [1.0 / 3.0; 3]);
+        }
+        let clamped = weights.map(|weight| weight.clamp(0.0, 1.0));
+        let scale = 1.0 / (clamped[0] + clamped[1] + clamped[2]);
+        (-direction, clamped.map(|weight| weight * scale))
+    }
+
+    /// Barycentric weights of the point of a face's plane seen at a place in pixels.
+    pub fn weights_in_plane(&self, face: usize, at: [f32; 2]) -> [f32; 3] {
+        let (origin, direction) = self.ray(at);
+        self.weights_along(face, origin, direction)
+    }
+
+    /// Origin and unit direction of sight at a place in pixels.
+    pub fn ray(&self, at: [f32; 2]) -> (Vec3A, Vec3A) {
+        self.sight.ray(at)
+    }
+
+    /// Where a ray meets the plane of a face (Möller and Trumbore).
+    fn weights_along(&self, face: usize, origin: Vec3A, direction: Vec3A) -> [f32; 3] {
+        let [a, b, c] = self.faces[face].map(|vertex| self.positions[vertex as usize]);
+        let (to_b, to_c, to_origin) = (b - a, c - a, origin - a);
+        let across = direction.cross(to_c);
+        let inverse = 1.0 / to_b.dot(across);
+        let beta = to_origin.dot(across) * inverse;
+        let gamma = direction.dot(to_origin.cross(to_b)) * inverse;
+        [1.0 - beta - gamma, beta, gamma]
     }
 
     /// Whether a vertex is a corner of a face whose front, and one whose back, the eye sees.
@@ -114,16 +176,58 @@ impl Stage {
     }
 }
 
-/// Sum of the normals around a vertex, weighted by the corner angles.
-fn vertex_normals(faces: &[[u32; 3]], face_normals: &[DVec3], positions: &[DVec3]) -> Vec<Vec3A> {
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for (corners, &normal) in faces.iter().zip(face_normals) {
-        let points = corners.map(|vertex| positions[vertex as usize]);
-        for k in 0..3 {
-            let to_next = (points[(k + 1) % 3] - points[k]).normalize_or_zero();
-            let to_previous = (points[(k + 2) % 3] - points[k]).normalize_or_zero();
-            sums[corners[k] as usize] += normal * libm::acos(to_next.dot(to_previous).clamp(-1.0, 1.0));
+impl Sight {
+    fn new(camera: &Camera, output: &Output, of_view: impl Fn(DVec3) -> Vec3A) -> Self {
+        let [corner, right, down] = [[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| camera.view_ray(x, y));
+        let (width, height) = (output.width() as f32, output.height() as f32);
+        let planes =
+            |corner: Vec3A, right: Vec3A, down: Vec3A| [corner, (right - corner) / width, (down - corner) / height];
+        Self {
+            origin: planes(of_view(corner.0), of_view(right.0), of_view(down.0)),
+            direction: planes(corner.1.as_vec3a(), right.1.as_vec3a(), down.1.as_vec3a()),
         }
     }
-    sums.iter().map(|sum| sum.normalize_or_zero().as_vec3a()).collect()
+
+    /// Origin and unit direction.
+    fn ray(&self, at: [f32; 2]) -> (Vec3A, Vec3A) {
+        let seen = |planes: &[Vec3A; 3]| planes[0] + planes[1] * at[0] + planes[2] * at[1];
+        (seen(&self.origin), seen(&self.direction).normalize())
+    }
+}
+
+/// Unit normals of faces.
+fn face_normals(faces: &[[u32; 3]], positions: &[DVec3]) -> Vec<Vec3A> {
+    let normal = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
+        (b - a).cross(c - a).normalize_or_zero().as_vec3a()
+    };
+    faces.par_iter().map(normal).collect()
+}
+
+/// Sum of the normals around a vertex, weighted by the corner angles.
+fn vertex_normals(faces: &[[u32; 3]], face_normals: &[Vec3A], positions: &[DVec3]) -> Vec<Vec3A> {
+    let angles = |corners: &[u32; 3]| {
+        let points = corners.map(|vertex| positions[vertex as usize]);
+        let edges = [0, 1, 2].map(|k| (points[(k + 1) % 3] - points[k]).normalize_or_zero().as_vec3a());
+        [0, 1, 2].map(|k| angle(-edges[k].dot(edges[(k + 2) % 3])))
+    };
+    let mut sums = vec![Vec3A::ZERO; positions.len()];
+    // Angles on all threads, sums in the order of the faces: the same bits on any number of threads.
+    for first in (0..faces.len()).step_by(FACES_AT_A_TIME) {
+        let part = first..(first + FACES_AT_A_TIME).min(faces.len());
+        let angles: Vec<[f32; 3]> = faces[part.clone()].par_iter().map(angles).collect();
+        for ((corners, normal), angles) in faces[part.clone()].iter().zip(&face_normals[part]).zip(angles) {
+            for (&vertex, angle) in corners.iter().zip(angles) {
+                sums[vertex as usize] += *normal * angle;
+            }
+        }
+    }
+    sums.par_iter().map(|sum| sum.normalize_or_zero()).collect()
+}
+
+/// The angle of a cosine to 7e-5, which is plenty for a weight (Abramowitz and Stegun 4.4.45).
+fn angle(cosine: f32) -> f32 {
+    let x = cosine.abs().min(1.0);
+    let acute = (1.0 - x).sqrt() * (1.570_728_8 + x * (-0.212_114_4 + x * (0.074_261 - x * 0.018_729_3)));
+    if cosine < 0.0 { std::f32::consts::PI - acute } else { acute }
 }

@@ -20,11 +20,6 @@ pub struct Occluder {
 }
 
 impl Occluder {
-    /// Nothing at all.
-    pub fn none() -> Self {
-        Self { tree: None, triangles: Vec::new() }
-    }
-
     pub fn new(stage: &Stage) -> Self {
         let triangles: Vec<Triangle> = stage
             .faces
@@ -40,6 +35,11 @@ impl Occluder {
         let tree = build_cwbvh_from_tris(&triangles, BvhBuildParams::fast_build(), &mut Duration::default());
         let triangles = tree.primitive_indices.iter().map(|&index| triangles[index as usize]).collect();
         Self { tree: Some(tree), triangles }
+    }
+
+    /// Nothing in the way.
+    pub fn none() -> Self {
+        Self { tree: None, triangles: Vec::new() }
     }
 
     /// Distance to the first triangle within `reach`.

@@ -52,8 +52,14 @@ impl ScreenTube {
         }
     }
 
+    /// First and last pixel that it may touch, in x and y.
+    pub fn pixels(&self) -> [[i32; 2]; 2] {
+        let [low, high] = self.bounds();
+        [0, 1].map(|axis| [low[axis].floor() as i32, high[axis].floor() as i32])
+    }
+
     /// Lower and upper corner in pixels.
-    pub fn bounds(&self) -> [[f32; 2]; 2] {
+    fn bounds(&self) -> [[f32; 2]; 2] {
         let to = self.from + self.along;
         [(self.from.min(to) - self.radius).to_array(), (self.from.max(to) + self.radius).to_array()]
     }
@@ -61,8 +67,9 @@ impl ScreenTube {
     /// Whether any of it can be in the picture.
     pub fn is_near(&self, output: &Output) -> bool {
         let [low, high] = self.bounds();
-        let size = [output.width() as f32 + 1.0, output.height() as f32 + 1.0];
-        (0..2).all(|axis| high[axis] >= -1.0 && low[axis] <= size[axis])
+        let [x, y, width, height] = output.window().map(|value| value as f32);
+        let (start, size) = ([x, y], [width, height]);
+        (0..2).all(|axis| high[axis] >= start[axis] - 1.0 && low[axis] <= start[axis] + size[axis] + 1.0)
     }
 
     /// Part of the way along the axis, and the offset from there in radii.
