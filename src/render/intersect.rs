@@ -14,6 +14,8 @@ pub struct Crossing {
     pub ends: [DVec3; 2],
     /// Sine of the angle between their planes.
     pub sine: f64,
+    /// The triangles.
+    pub triangles: [usize; 2],
 }
 
 /// Segments in which the triangles are cut by a plane, in their order. All corners must be finite.
@@ -56,7 +58,10 @@ pub fn self_intersections(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<Cr
                 true
             });
             partners.sort_unstable();
-            partners.into_iter().filter_map(move |other| crossing(corners(index), corners(other)))
+            partners.into_iter().filter_map(move |other| {
+                let (ends, sine) = crossing(corners(index), corners(other))?;
+                Some(Crossing { ends, sine, triangles: [index, other] })
+            })
         })
         .collect()
 }
@@ -66,7 +71,7 @@ fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
 }
 
 /// The segment two triangles have in common, if they cross (Möller 1997).
-fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<Crossing> {
+fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<([DVec3; 2], f64)> {
     let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
     let (plane_one, plane_other) = (normal(one), normal(other));
     let [p, q] = cut(one, other[0], plane_other)?;
@@ -79,7 +84,7 @@ fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<Crossing> {
     let ([p, q], [r, s]) = (ordered([p, q]), ordered([r, s]));
     let from = if p.dot(line) >= r.dot(line) { p } else { r };
     let to = if q.dot(line) <= s.dot(line) { q } else { s };
-    (from.dot(line) < to.dot(line)).then_some(Crossing { ends: [from, to], sine })
+    (from.dot(line) < to.dot(line)).then_some(([from, to], sine))
 }
 
 /// Where a plane cuts the edges of a triangle.

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::{
     Camera, FieldValues, Lines, Look, Output, Scenery,
-    intersect::{cuts, self_intersections},
+    intersect::{Crossing, cuts, self_intersections},
     project::Projection,
     stage::Stage,
     tube::{ScreenTube, Stroke},
@@ -24,20 +24,19 @@ const FAINTEST: f64 = 0.25;
 /// pinch points, pins.
 pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, output: &Output) -> Vec<ScreenTube> {
     let lines = &look.lines;
-    let pen = Pen { projection: &stage.projection, scenery, camera, look, output };
+    let pen = Pen { projection: &stage.projection, stage, scenery, camera, look, output };
     let at = |ends: [u32; 2]| ends.map(|vertex| scenery.positions[vertex as usize]);
     let edges = Edges::new(scenery, stage, lines);
-    let is_there = |ends: &&[u32; 2]| !pen.is_in_a_gap(**ends);
+    let solid = |list: &[[u32; 2]]| list.iter().flat_map(|&ends| pen.solid_parts(ends)).collect::<Vec<_>>();
 
-    let silhouettes = edges.silhouettes.iter().filter(is_there).filter_map(|&ends| {
-        let (ends, width) = (at(ends), 2.0 * lines.silhouette);
-        let sink = output.line_pixels(lines.silhouette) + OUTLINE_SINK * pen.pixels_long(ends);
-        pen.stroke(ends, width, Stroke::Outline { sink })
+    let silhouettes = solid(&edges.silhouettes);
+    let silhouettes = silhouettes.iter().filter_map(|&(edge, ends)| {
+        let sink = output.line_pixels(lines.silhouette) + OUTLINE_SINK * pen.pixels_long(at(edge));
+        pen.stroke(ends, 2.0 * lines.silhouette, Stroke::Outline { sink })
     });
-    let creases =
-        edges.creases.iter().filter(is_there).filter_map(|&ends| pen.stroke(at(ends), lines.crease, Stroke::Line));
-    let boundary =
-        edges.boundary.iter().filter(is_there).filter_map(|&ends| pen.stroke(at(ends), lines.boundary, Stroke::Line));
+    let (creases, boundary) = (solid(&edges.creases), solid(&edges.boundary));
+    let creases = creases.iter().filter_map(|&(_, ends)| pen.stroke(ends, lines.crease, Stroke::Line));
+    let boundary = boundary.iter().filter_map(|&(_, ends)| pen.stroke(ends, lines.boundary, Stroke::Line));
     let cut = match look.cut {
         Some(plane) if lines.boundary > 0.0 => cuts(&stage.faces, scenery.positions, plane),
         _ => Vec::new(),
@@ -45,7 +44,7 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, out
     let cut = cut.iter().filter_map(|&ends| pen.stroke(ends, lines.boundary, Stroke::Line));
     let double =
         if lines.intersection > 0.0 { self_intersections(&stage.faces, scenery.positions) } else { Vec::new() };
-    let double = double.iter().filter_map(|crossing| {
+    let double = double.iter().filter(|crossing| pen.is_solid(crossing)).filter_map(|crossing| {
         let share = (crossing.sine / FULL_CROSSING).min(1.0);
         let width = if share > FAINTEST { lines.intersection * share as f32 } else { 0.0 };
         pen.stroke(crossing.ends, width, Stroke::Line)
@@ -64,6 +63,7 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, look: &Look, out
 /// Turns segments of space into tubes on the picture.
 struct Pen<'a> {
     projection: &'a Projection,
+    stage: &'a Stage,
     scenery: &'a Scenery<'a>,
     camera: &'a Camera,
     look: &'a Look,
@@ -84,12 +84,30 @@ impl Pen<'_> {
         tube.is_near(self.output).then_some(tube)
     }
 
-    /// Whether the middle of an edge lies in a see-through gap of the pattern.
-    fn is_in_a_gap(&self, [a, b]: [u32; 2]) -> bool {
-        let (Some(pattern), Some(field)) = (&self.look.pattern, self.scenery.along[0]) else { return false };
-        let FieldValues::PerVertex(_) = field.values else { return false };
-        let [from, to, _] = field.at_corners(0, [a, b, b]);
-        pattern.is_gap((from + to) / 2.0)
+    /// The parts of an edge that do not lie in see-through gaps of the pattern, with the edge.
+    fn solid_parts(&self, [a, b]: [u32; 2]) -> Vec<([u32; 2], [DVec3; 2])> {
+        let [from, to] = [a, b].map(|vertex| self.scenery.positions[vertex as usize]);
+        let whole = vec![([a, b], [from, to])];
+        let (Some(pattern), Some(field)) = (&self.look.pattern, self.scenery.along[0]) else { return whole };
+        let FieldValues::PerVertex(_) = field.values else { return whole };
+        let [value_a, value_b, _] = field.at_corners(0, [a, b, b]);
+        let parts = pattern.solid_parts([value_a, value_b]).into_iter();
+        parts.map(|part| ([a, b], part.map(|part| from.lerp(to, f64::from(part))))).collect()
+    }
+
+    /// Whether the curve in which two triangles cross lies in no see-through gap of either.
+    fn is_solid(&self, crossing: &Crossing) -> bool {
+        let (Some(pattern), Some(field)) = (&self.look.pattern, self.scenery.along[0]) else { return true };
+        let middle = (crossing.ends[0] + crossing.ends[1]) / 2.0;
+        crossing.triangles.iter().all(|&face| {
+            let corners = self.stage.faces[face];
+            let values = field.at_corners(self.stage.triangles[face] as usize, corners);
+            let [a, b, c] = corners.map(|vertex| self.scenery.positions[vertex as usize]);
+            let normal = (b - a).cross(c - a);
+            let share =
+                |p: DVec3, q: DVec3| ((p - middle).cross(q - middle).dot(normal) / normal.length_squared()) as f32;
+            !pattern.is_gap(values[0] * share(b, c) + values[1] * share(c, a) + values[2] * share(a, b))
+        })
     }
 
     /// The part of a segment that is not cut away.

@@ -49,6 +49,20 @@ impl Pattern {
     }
 }
 
+impl Pattern {
+    /// Parts, from 0 to 1, of a segment between two values that are no gaps.
+    pub fn solid_parts(&self, [from, to]: [f32; 2]) -> Vec<[f32; 2]> {
+        let (from, to) = (from / self.periods[0], to / self.periods[0]);
+        if self.kind != PatternKind::Bands || from == to {
+            return if self.is_gap(from * self.periods[0]) { Vec::new() } else { vec![[0.0, 1.0]] };
+        }
+        let part = |value: f32| ((value - from) / (to - from)).clamp(0.0, 1.0);
+        let bands = from.min(to).floor() as i64..=from.max(to).floor() as i64;
+        let ends = bands.map(|band| [part(band as f32), part(band as f32 + 1.0 - self.gap)]);
+        ends.map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a < b).collect()
+    }
+}
+
 /// Share of the pixel that lies in the first `duty` of a period.
 fn on_share(Spread { value, per_pixel }: Spread, duty: f32) -> f32 {
     let integral = |x: f32| x.floor() * duty + (x - x.floor()).min(duty);
