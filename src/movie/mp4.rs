@@ -9,8 +9,7 @@ use muxide::api::{Muxer, MuxerBuilder, VideoCodec};
 use openh264::{
     OpenH264API,
     encoder::{
-        BitRate, Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode,
-        VuiConfig,
+        Complexity, Encoder, EncoderConfig, FrameRate, FrameType, IntraFramePeriod, QpRange, RateControlMode, VuiConfig,
     },
     formats::YUVSlices,
 };
@@ -29,10 +28,8 @@ pub(super) struct Mp4 {
     draft: Draft,
 }
 
-/// Bits that a pixel of a frame may take on average.
-const BITS_PER_PIXEL: f64 = 0.3;
-/// Neither wasteful nor so coarse that smooth shading shows steps.
-const QUANTIZATION: [u8; 2] = [8, 26];
+/// Fine enough that smooth shading shows no steps.
+const QUANTIZATION: [u8; 2] = [16, 18];
 
 impl Mp4 {
     /// Video has an even number of columns and rows: of odd pictures the last ones are left out.
@@ -43,13 +40,15 @@ impl Mp4 {
             let reason = "H.264 takes pictures from 2 x 2 to 3840 x 2160 pixels; choose another size";
             return Err(draft.error(format!("{width} x {height} pixels: {reason}")));
         }
-        let bits = BITS_PER_PIXEL * (width * height) as f64 * rate;
+        // The same quality throughout, however many bits it takes. Background detection would leave specks behind
+        // what moves.
         let config = EncoderConfig::new()
-            .bitrate(BitRate::from_bps(bits.clamp(1e6, 2e8) as u32))
             .max_frame_rate(FrameRate::from_hz(rate as f32))
-            .rate_control_mode(RateControlMode::Quality)
-            .complexity(Complexity::High)
+            .rate_control_mode(RateControlMode::Bufferbased)
             .qp(QpRange::new(QUANTIZATION[0], QUANTIZATION[1]))
+            .adaptive_quantization(false)
+            .background_detection(false)
+            .complexity(Complexity::High)
             .intra_frame_period(IntraFramePeriod::from_num_frames((rate.ceil() as u32).max(1)))
             .skip_frames(false)
             .scene_change_detect(false)

@@ -259,8 +259,8 @@ fn at_a_time(bytes: usize) -> usize {
 
 /// Bytes that a picture in the making takes, about, with what becomes of it.
 fn picture_bytes(plan: &Plan, output: &Output) -> usize {
-    let beauty = 16 + 24 + 12;
-    let layers = if plan.output.has_layers() { 2 * (48 + 4 * plan.scene.output.fields.len()) } else { 0 };
-    let shutter = if plan.scene.camera.shutter > 0.0 { 16 } else { 0 };
+    let beauty = 60;
+    let layers = if plan.output.has_layers() { 150 + 12 * plan.scene.output.fields.len() } else { 0 };
+    let shutter = if plan.scene.camera.shutter > 0.0 { 20 } else { 0 };
     output.width() * output.height() * (beauty + layers + shutter)
 }
