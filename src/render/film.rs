@@ -87,12 +87,16 @@ impl Film {
     pub fn srgb_bytes(&self) -> Vec<u8> {
         let (width, [left, top]) = (self.width, self.corner);
         // A background of one colour needs no dither.
-        let flat = self.background.iter().all(|color| is_same(*color, self.background[0]));
+        let ground = self.background.first().copied().unwrap_or_default();
+        let flat = self.background.iter().all(|color| is_same(*color, ground));
+        let byte = |value: f32, dither: f32| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8;
+        let ground = ground.to_array().map(|value| byte(value, 0.0));
         let pixel = |(index, light): (usize, &Vec4)| {
-            let dither = if flat && light.w == 0.0 { 0.0 } else { dither(left + index % width, top + index / width) };
-            self.over_background(index, light)
-                .to_array()
-                .map(|value| (srgb_from_linear(value) * 255.0 + dither + 0.5).clamp(0.0, 255.0) as u8)
+            if flat && light.w == 0.0 {
+                return ground;
+            }
+            let dither = dither(left + index % width, top + index / width);
+            self.over_background(index, light).to_array().map(|value| byte(value, dither))
         };
         self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
     }
