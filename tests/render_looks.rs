@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Field, FieldValues, Film, Lights, Look, Output, Plane, Scenery, render},
+    render::{Camera, Extent, Field, FieldValues, Film, Lights, Look, Metadata, Output, Plane, Png, Scenery, render},
     scene::{CameraSection, LookName},
 };
 
@@ -79,7 +79,7 @@ fn every_look_is_as_it_was_when_it_was_looked_at() {
     for (look, name) in LOOKS {
         let film = picture(look, [200, 150]);
         if std::env::var_os("IMMERSE_BLESS").is_some() {
-            film.write_png(&kept(name)).expect("a writable folder");
+            film.write_png(&kept(name), Png::default(), &Metadata::default()).expect("a writable folder");
         }
         let wanted = image::open(kept(name)).expect("tests/looks holds the pictures").into_rgb8();
         let difference = difference(&film.srgb_bytes(), wanted.as_raw(), 200);

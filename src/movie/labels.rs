@@ -2,17 +2,9 @@
 
 use crate::{
     cache::FrameReport,
+    render::{RenderError, fill_in},
     scene::{Corner, LookName, Scene, TextSection},
 };
-
-/// What stands for facts in texts of a scene.
-const NAMES: [&str; 9] = ["scene", "frame", "frames", "time", "error", "max_error", "class", "rims", "faces"];
-
-/// The first name in braces that stands for nothing.
-pub(super) fn unknown_name(text: &str) -> Option<&str> {
-    let names = text.split('{').skip(1).filter_map(|rest| rest.split_once('}').map(|(name, _)| name));
-    names.into_iter().find(|name| !NAMES.contains(name))
-}
 
 /// The texts of a scene; pictures of a field say which frame they are of and what it is worth, unless it says else.
 pub(super) fn texts(scene: &Scene) -> Vec<TextSection> {
@@ -24,22 +16,22 @@ pub(super) fn texts(scene: &Scene) -> Vec<TextSection> {
 }
 
 /// The texts of a scene as they stand on a frame of a surface with so many faces.
-pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Vec<String> {
+///
+/// # Errors
+/// [`RenderError::Label`] if one asks for what is not known.
+pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Result<Vec<String>, RenderError> {
     let facts = [
-        scene.name.clone(),
-        report.frame.to_string(),
-        scene.clock.frames.to_string(),
-        format!("{:.2}", report.time),
-        percent(report.l2_length_error),
-        percent(report.max_length_error),
-        report.spin_class.clone(),
-        report.rims.to_string(),
-        faces.to_string(),
+        ("scene", scene.name.clone()),
+        ("frame", report.frame.to_string()),
+        ("frames", scene.clock.frames.to_string()),
+        ("time", format!("{:.2}", report.time)),
+        ("error", percent(report.l2_length_error)),
+        ("max_error", percent(report.max_length_error)),
+        ("class", report.spin_class.clone()),
+        ("rims", report.rims.to_string()),
+        ("faces", faces.to_string()),
     ];
-    let filled = |text: &str| {
-        NAMES.iter().zip(&facts).fold(text.to_owned(), |text, (name, fact)| text.replace(&format!("{{{name}}}"), fact))
-    };
-    texts(scene).iter().map(|section| filled(&section.text)).collect()
+    texts(scene).iter().map(|section| fill_in(&section.text, &facts)).collect()
 }
 
 /// As many digits as say something.

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{MovieError, labels::unknown_name};
+use super::{MovieError, labels::labels};
 use crate::{
+    cache::FrameReport,
     render::{Camera, Extent, Lights, Look, Output, Png},
     scene::{AnimationFormat, Scene},
     timeline::{Clock, Formula, Parameters},
@@ -39,12 +40,7 @@ impl<'a> Plan<'a> {
         if cfg!(not(feature = "mp4")) && scene.output.animation.contains(&AnimationFormat::Mp4) {
             return Err(MovieError::WithoutMp4);
         }
-        for (k, section) in scene.look.texts.iter().enumerate() {
-            if let Some(name) = unknown_name(&section.text) {
-                let message = format!("nothing is known as {{{name}}}; write {{frame}}, {{time}} or {{error}}");
-                return Err(MovieError::of_scene(scene, &format!("look.text[{k}].text"), &message));
-            }
-        }
+        labels(scene, &FrameReport::default(), 0)?;
         Ok(Plan {
             scene,
             look: Look::from_scene(&scene.look, &scene.folder)?,

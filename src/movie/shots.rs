@@ -81,18 +81,18 @@ impl<'a> Shots<'a> {
         }
         let mut film = exposure.develop();
         let ink = film.ink();
-        film.draw_overlay(&self.overlay(state), ink);
+        film.draw_overlay(&self.overlay(state)?, ink);
         Ok(film)
     }
 
-    fn overlay(&self, state: &FrameState) -> Overlay {
+    fn overlay(&self, state: &FrameState) -> Result<Overlay, RenderError> {
         let scene = self.plan.scene;
         let corners = texts(scene).into_iter().map(|section| section.corner);
-        Overlay {
-            texts: corners.zip(labels(scene, &state.report, self.subject.faces())).collect(),
+        Ok(Overlay {
+            texts: corners.zip(labels(scene, &state.report, self.subject.faces())?).collect(),
             legend: self.legend.clone(),
             text_size: scene.look.text_size.unwrap_or(1.0) as f32,
-        }
+        })
     }
 
     /// What is known of a picture.
@@ -105,7 +105,7 @@ impl<'a> Shots<'a> {
             frames: scene.clock.frames,
             time: state.time,
             frame_rate: scene.output.frame_rate,
-            comment: labels(scene, &state.report, self.subject.faces()).join("\n"),
+            comment: labels(scene, &state.report, self.subject.faces()).unwrap_or_default().join("\n"),
             camera: Some(self.camera_at(state.frame, 0.0)),
         }
     }

@@ -86,7 +86,7 @@ impl Film {
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
         // A background of one colour needs no dither.
-        let flat = self.background.iter().all(|color| is_same(*color, self.background[0]));
+        let flat = self.background.windows(2).all(|rows| is_same(rows[0], rows[1]));
         let [left, top] = self.corner;
         let encode = |color: Vec3, noise: f32| {
             color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + noise + 0.5).clamp(0.0, 255.0) as u8)
