@@ -10,6 +10,9 @@ use super::pipeline::{self, PipelineError};
 use super::progress::Bar;
 use crate::scene::Scene;
 
+/// The scene of which there is a picture in all looks, `looks.png`.
+const SHOWN_IN_ALL_LOOKS: &str = "flat_torus";
+
 /// Makes `<out>/<scene>.png` of each scene, and gives those that were skipped because their input is not there. Films
 /// are kept in `work`, and gone on with.
 pub(super) fn gallery(
@@ -25,7 +28,12 @@ pub(super) fn gallery(
     for path in &all {
         let poster = Scene::read(path).map_err(PipelineError::from).and_then(|scene| {
             let poster = out.join(&scene.name).with_extension("png");
-            pipeline::poster(&scene, &work.join(&scene.name), &poster, progress).map(|()| poster)
+            let film = work.join(&scene.name);
+            pipeline::poster(&scene, &film, &poster, progress)?;
+            if scene.name == SHOWN_IN_ALL_LOOKS {
+                pipeline::look_sheet(&scene, &film, &out.join("looks.png"), progress)?;
+            }
+            Ok(poster)
         });
         progress.clear();
         match poster {

@@ -231,6 +231,16 @@ pub(super) fn poster(
     Ok(movie::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
 }
 
+/// Makes one picture of a simulated scene in all looks.
+pub(super) fn look_sheet(
+    scene: &Scene,
+    folder: &Path,
+    path: &Path,
+    progress: &mut dyn Progress,
+) -> Result<(), PipelineError> {
+    Ok(movie::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
+}
+
 fn pass_on(event: movie::Event, progress: &mut dyn Progress) {
     match event {
         movie::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),

@@ -23,5 +23,5 @@ mod shots;
 mod subject;
 
 pub use error::MovieError;
-pub use pictures::{Event, Watch, make_pictures, make_poster};
+pub use pictures::{Event, Watch, make_look_sheet, make_pictures, make_poster};
 pub use plan::Plan;

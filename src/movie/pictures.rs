@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     render::{Extent, Film, Metadata, Output, Png},
-    scene::{AnimationFormat, Scene},
+    scene::{AnimationFormat, LookName, LookSection, Scene},
 };
 
 /// What happens while pictures are made.
@@ -88,6 +88,30 @@ pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch)
     let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
     let png = Png { small: true, ..Png::default() };
     Ok(film.write_png(path, png, &metadata(&plan, &survey))?)
+}
+
+/// Makes one small file that shows the last frame of a film in all the looks that have a name.
+///
+/// # Errors
+/// As [`make_pictures`].
+pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), MovieError> {
+    let last = [scene.clock.frames];
+    let mut whole: Option<(Film, Sheet)> = None;
+    for (index, (_, preset)) in LookName::ALL.into_iter().enumerate() {
+        let scene = Scene { look: LookSection { preset, ..LookSection::default() }, ..scene.clone() };
+        let plan = Plan::of(&scene)?;
+        let mut survey = survey(&plan, folder, &last, watch)?;
+        let (film, sheet) = whole.get_or_insert_with(|| {
+            let sheet = Sheet::of(LookName::ALL.len(), plan.size(), SHEET_WIDTH);
+            let [width, height] = sheet.size();
+            (Film::blank(width, height, plan.look.background[0]), sheet)
+        });
+        let picture = contact_sheet(&plan, &mut survey, &last, Sheet::of(1, sheet.tile, 0), watch)?;
+        film.paste(&picture, sheet.place(index));
+    }
+    let png = Png { small: true, ..Png::default() };
+    let metadata = Metadata { scene: scene.name.clone(), ..Metadata::default() };
+    whole.map_or(Ok(()), |(film, _)| Ok(film.write_png(path, png, &metadata)?))
 }
 
 /// Passes over all frames, and makes sure that the wanted ones are there.

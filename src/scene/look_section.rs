@@ -6,14 +6,6 @@ use super::table::Table;
 use super::value::Color;
 
 pub(super) fn look(table: &mut Table) -> LookSection {
-    let presets = [
-        ("studio", LookName::Studio),
-        ("clay", LookName::Clay),
-        ("soap", LookName::Soap),
-        ("bands", LookName::Bands),
-        ("blueprint", LookName::Blueprint),
-        ("error", LookName::Error),
-    ];
     let materials = [
         ("studio", MaterialName::Studio),
         ("clay", MaterialName::Clay),
@@ -23,7 +15,7 @@ pub(super) fn look(table: &mut Table) -> LookSection {
         ("flat", MaterialName::Flat),
     ];
     let look = LookSection {
-        preset: table.choice("preset", "What the rest starts from.", &presets).unwrap_or_default(),
+        preset: table.choice("preset", "What the rest starts from.", &LookName::ALL).unwrap_or_default(),
         front: color(table, "front", "Colour of the side the normal points from."),
         back: color(table, "back", "Colour of the other side."),
         background: color(table, "background", "Colour behind the surface."),

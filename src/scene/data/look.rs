@@ -79,6 +79,18 @@ pub enum LookName {
     Error,
 }
 
+impl LookName {
+    /// All of them by the names they have in scene files.
+    pub const ALL: [(&'static str, LookName); 6] = [
+        ("studio", LookName::Studio),
+        ("clay", LookName::Clay),
+        ("soap", LookName::Soap),
+        ("bands", LookName::Bands),
+        ("blueprint", LookName::Blueprint),
+        ("error", LookName::Error),
+    ];
+}
+
 /// How the surface answers light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialName {
