@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Film, Lights, Lines, Look, Output, Paint, RenderError, Scenery, render},
+    render::{Camera, Extent, Film, Lights, Lines, Look, Material, Output, Paint, RenderError, Scenery, render},
     scene::{CameraSection, LightSection, LookSection, OutputSection},
 };
 
@@ -49,24 +49,32 @@ fn shown(positions: &[DVec3], triangles: &[[u32; 3]], look: &Look, output: &Outp
 fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
     let (positions, triangles) = sphere();
     let surround = Vec3::splat(0.75);
-    let look = Look {
-        paint: Paint::Sides([Vec3::ONE; 2]),
-        background: [surround; 2],
-        sky: surround,
-        ground: surround,
-        rim_darkening: 0.0,
-        lines: Lines::NONE,
-        ..Look::default()
-    };
     let output = Output::new(96, 72, 8).expect("a size");
     let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
-    let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
-    assert!(film.beauty()[36 * 96 + 48].w == 1.0, "the sphere is there");
-    let bytes = film.srgb_bytes();
-    let (least, most) = (bytes.iter().min().copied(), bytes.iter().max().copied());
-    // Dithering may move a value by one step.
-    assert!(most <= least.map(|byte| byte + 1), "from {least:?} to {most:?}");
+    let pbr = |roughness: f32, metallic: f32| Material::Pbr { roughness, metallic };
+    let materials = [Material::Studio { gloss: 1.0 }, pbr(0.1, 0.0), pbr(1.0, 0.0), pbr(0.3, 1.0), pbr(1.0, 1.0)];
+    for (material, opacity) in materials.into_iter().flat_map(|material| [(material.clone(), 1.0), (material, 0.4)]) {
+        let look = Look {
+            paint: Paint::Sides([Vec3::ONE; 2]),
+            material,
+            opacity: [opacity; 2],
+            // Rays see no difference between glass and clay: the inside of a glass sphere would be dark.
+            occlusion: if opacity < 1.0 { 0.0 } else { 1.0 },
+            background: [surround; 2],
+            sky: surround,
+            ground: surround,
+            rim_darkening: 0.0,
+            lines: Lines::NONE,
+            ..Look::default()
+        };
+        let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+        assert!(film.beauty()[36 * 96 + 48].w > 0.6, "the sphere is there");
+        let bytes = film.srgb_bytes();
+        let (least, most) = (bytes.iter().min().copied(), bytes.iter().max().copied());
+        // Dithering may move a value by one step.
+        assert!(most <= least.map(|byte| byte + 1), "{:?}: from {least:?} to {most:?}", look.material);
+    }
 }
 
 #[test]

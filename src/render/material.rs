@@ -95,7 +95,7 @@ impl Lit<'_> {
     fn microfacets(&self, roughness: f32, metallic: f32, seen: impl Fn(usize, &Light) -> f32) -> Leaving {
         let facing = self.normal.dot(self.toward_eye).clamp(1e-3, 1.0);
         let face_on = Vec3::splat(DIELECTRIC).lerp(self.albedo, metallic);
-        let reflected = environment_reflectance(face_on, roughness, facing);
+        let (reflected, bounces) = environment_reflectance(face_on, roughness, facing);
         let base = self.albedo * (1.0 - metallic);
         // The mirror direction, bent to the normal by roughness.
         let mirror = self.normal * (2.0 * self.normal.dot(self.toward_eye)) - self.toward_eye;
@@ -115,7 +115,7 @@ impl Lit<'_> {
                 let shadowing = smith(cosine, facing, alpha);
                 // A light's colour is what white paper facing it shows: pi times its radiance.
                 let strength = std::f32::consts::PI * density * shadowing * cosine * share;
-                highlight += fresnel * light.color * strength.min(8.0);
+                highlight += fresnel * bounces * light.color * strength.min(8.0);
             }
         }
         Leaving { body, highlight }
@@ -197,10 +197,13 @@ fn smith(to_light: f32, to_eye: f32, alpha: f32) -> f32 {
     0.5 / (from(to_eye, to_light) + from(to_light, to_eye)).max(1e-6)
 }
 
-/// Share of uniform light that the facets reflect (fit of Karis, "Physically Based Shading on Mobile", 2014).
-fn environment_reflectance(face_on: Vec3, roughness: f32, facing: f32) -> Vec3 {
+/// Share of uniform light that the facets reflect, and what light that bounces between facets adds to it, as a
+/// factor: a white metal reflects all (fits of Karis, "Physically Based Shading on Mobile", 2014, and of Turquin,
+/// "Practical multiple scattering compensation for microfacet models", 2019).
+fn environment_reflectance(face_on: Vec3, roughness: f32, facing: f32) -> (Vec3, Vec3) {
     let r = [-roughness + 1.0, -0.0275 * roughness + 0.0425, -0.572 * roughness + 1.04, 0.022 * roughness - 0.04];
     let a = (r[0] * r[0]).min(libm::exp2f(-9.28 * facing)) * r[0] + r[1];
     let (scale, offset) = (-1.04 * a + r[2], 1.04 * a + r[3]);
-    (face_on * scale + Vec3::splat(offset)).clamp(Vec3::ZERO, Vec3::ONE)
+    let bounces = Vec3::ONE + face_on * (1.0 / (scale + offset).max(1e-3) - 1.0);
+    (((face_on * scale + Vec3::splat(offset)) * bounces).clamp(Vec3::ZERO, Vec3::ONE), bounces)
 }

@@ -81,8 +81,10 @@ fn pattern(table: &mut Table) -> PatternSection {
         .key::<String>("along", "\"parallels\", \"meridians\", a field, or a formula of the mesh's x, y and z.")
         .or("parallels".into());
     let field = FIELDS.iter().find(|(name, _)| *name == along).map(|&(_, field)| field);
+    let kind = table.choice("kind", "What is drawn.", &kinds).unwrap_or(PatternKind::Bands);
+    let usual_gap = if matches!(kind, PatternKind::Bands | PatternKind::Checker) { 0.5 } else { 0.06 };
     PatternSection {
-        kind: table.choice("kind", "What is drawn.", &kinds).unwrap_or(PatternKind::Bands),
+        kind,
         along: match (along.as_str(), field) {
             ("parallels", _) => PatternAlong::Parallels,
             ("meridians", _) => PatternAlong::Meridians,
@@ -98,7 +100,7 @@ fn pattern(table: &mut Table) -> PatternSection {
             .key("gap", "Share of a period that is see-through (bands), dark (checker), or a line (grid, isolines).")
             .at_least(0.0)
             .at_most(1.0)
-            .or(0.5),
+            .or(usual_gap),
     }
 }
 
