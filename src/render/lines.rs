@@ -25,7 +25,7 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, lines: &Lines, o
         tube.is_near(output).then_some(tube)
     };
     let edge = |ends: [u32; 2]| ends.map(|vertex| scenery.positions[vertex as usize]);
-    let silhouettes = silhouettes(stage);
+    let silhouettes = if lines.silhouette > 0.0 { silhouettes(stage) } else { Vec::new() };
     let silhouettes = silhouettes.iter().filter_map(|&ends| {
         let ends = edge(ends);
         let depth = projection.pixel(projection.clip(ends[0])).z;
@@ -34,7 +34,8 @@ pub fn tubes(scenery: &Scenery, stage: &Stage, camera: &Camera, lines: &Lines, o
         tube(ends, 2.0 * lines.silhouette, Stroke::Outline { sink })
     });
     let boundary = scenery.boundary.iter().filter_map(|&ends| tube(edge(ends), lines.boundary, Stroke::Line));
-    let double = self_intersections(&stage.faces, scenery.positions);
+    let double =
+        if lines.intersection > 0.0 { self_intersections(&stage.faces, scenery.positions) } else { Vec::new() };
     let double = double.iter().filter_map(|&ends| tube(ends, lines.intersection, Stroke::Line));
     let rims = scenery.rims.iter().filter_map(|&ends| tube(edge(ends), lines.rim, Stroke::Raised));
     let pinches =

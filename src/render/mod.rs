@@ -18,6 +18,7 @@ mod fragments;
 mod frame;
 mod gaps;
 mod intersect;
+mod lanes;
 mod layers;
 mod light;
 mod lines;

@@ -58,7 +58,7 @@ impl Shader<'_> {
         };
         let color = self.lit(albedo, normal, toward_eye, sky, seen);
         let color = if self.look.wireframe > 0.0 { self.with_wires(color, corners, at) } else { color };
-        Shaded { color, opacity: 1.0, normal: side_normal(normal, side) }
+        Shaded { color, opacity: self.look.opacity[side], normal: side_normal(normal, side) }
     }
 
     /// Shades a line at a place in pixels.
