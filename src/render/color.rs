@@ -37,6 +37,9 @@ const SHOULDER: f32 = 0.8;
 
 /// Identity up to the shoulder, then an exponential approach to 1.
 pub fn tone_mapped(color: Vec3) -> Vec3 {
+    if color.max_element() <= SHOULDER {
+        return color;
+    }
     let curve = |value: f32| {
         if value <= SHOULDER {
             value

@@ -11,57 +11,64 @@ use super::{
 /// The light at the samples of a tile: red, green, blue, multiplied by coverage, and coverage.
 pub struct LightTile<const S: usize> {
     region: Region,
-    samples: Vec<[Vec4; S]>,
-    kinds: Vec<Kind>,
+    /// Of pixels whose samples are all alike, which most are.
+    even: Vec<Vec4>,
+    /// Where in `mixed` the samples of a pixel are, if they differ.
+    place: Vec<u32>,
+    mixed: Vec<[Vec4; S]>,
+    /// Whether samples differ in a pixel or one of its neighbours.
+    near_mixed: Vec<bool>,
 }
 
-/// How the samples of a pixel differ.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Kind {
-    /// All are dark and cover nothing.
-    Empty,
-    /// All are like the first; the others are not written.
-    Even,
-    Mixed,
-}
+const EVEN: u32 = u32::MAX;
 
 impl<const S: usize> LightTile<S> {
-    /// All pixels of a region are empty.
+    /// All pixels of a region are dark and cover nothing.
     pub fn new(region: Region) -> Self {
         let count = (region.width() * region.height()) as usize;
-        Self { region, samples: vec![[Vec4::ZERO; S]; count], kinds: vec![Kind::Empty; count] }
+        Self {
+            region,
+            even: vec![Vec4::ZERO; count],
+            place: vec![EVEN; count],
+            mixed: Vec::new(),
+            near_mixed: vec![false; count],
+        }
     }
 
     /// Gives all samples of a pixel the same light.
     pub fn set_even(&mut self, pixel: usize, light: Vec4) {
-        self.samples[pixel][0] = light;
-        self.kinds[pixel] = Kind::Even;
+        self.even[pixel] = light;
     }
 
     /// Gives each sample of a pixel its light.
     pub fn set(&mut self, pixel: usize, light: [Vec4; S]) {
-        self.samples[pixel] = light;
-        self.kinds[pixel] = Kind::Mixed;
+        if self.place[pixel] != EVEN {
+            self.mixed[self.place[pixel] as usize] = light;
+            return;
+        }
+        self.place[pixel] = self.mixed.len() as u32;
+        self.mixed.push(light);
+        let [x, y] = self.region.pixel(pixel);
+        let around = Region { x: [x - 1, x + 2], y: [y - 1, y + 2] };
+        if let Some(around) = around.common(&self.region) {
+            for y in around.y[0]..around.y[1] {
+                let row = self.region.index(around.x[0], y);
+                self.near_mixed[row..row + around.width() as usize].fill(true);
+            }
+        }
     }
 
     /// The light of all samples of a pixel.
     pub fn at(&self, pixel: usize) -> [Vec4; S] {
-        match self.kinds[pixel] {
-            Kind::Empty => [Vec4::ZERO; S],
-            Kind::Even => [self.samples[pixel][0]; S],
-            Kind::Mixed => self.samples[pixel],
+        match self.place[pixel] {
+            EVEN => [self.even[pixel]; S],
+            place => self.mixed[place as usize],
         }
     }
 
     /// Applies the tone curve to every sample.
     pub fn tone(&mut self) {
-        for (samples, kind) in self.samples.iter_mut().zip(&self.kinds) {
-            match kind {
-                Kind::Empty => {}
-                Kind::Even => samples[0] = toned(samples[0]),
-                Kind::Mixed => *samples = samples.map(toned),
-            }
-        }
+        self.even.iter_mut().chain(self.mixed.iter_mut().flatten()).for_each(|light| *light = toned(*light));
     }
 }
 
@@ -70,6 +77,9 @@ fn toned(light: Vec4) -> Vec4 {
     let coverage = light.w;
     if coverage <= 0.0 {
         return Vec4::ZERO;
+    }
+    if coverage == 1.0 {
+        return tone_mapped(light.truncate()).extend(1.0);
     }
     (tone_mapped(light.truncate() / coverage) * coverage).extend(coverage)
 }
@@ -92,23 +102,24 @@ impl<const S: usize> Filter<S> {
     pub fn pixel(&self, light: &LightTile<S>, x: i32, y: i32) -> Vec4 {
         let middle = light.region.index(x, y);
         if S == 1 {
-            return light.samples[middle][0];
+            return light.at(middle)[0];
         }
         let width = light.region.width() as usize;
-        let rows = [middle - width - 1, middle - 1, middle + width - 1];
-        let kinds = rows.map(|row| light.kinds[row].max(light.kinds[row + 1]).max(light.kinds[row + 2]));
-        if kinds == [Kind::Empty; 3] {
-            return Vec4::ZERO;
-        }
         let mut sum = Vec4::ZERO;
-        for (neighbour, pixel) in rows.iter().flat_map(|row| [*row, row + 1, row + 2]).enumerate() {
-            let samples = &light.samples[pixel];
-            match light.kinds[pixel] {
-                Kind::Empty => {}
-                Kind::Even => sum += samples[0] * self.sums[neighbour],
-                Kind::Mixed => {
-                    for (sample, weight) in samples.iter().zip(self.weights[neighbour]) {
-                        sum += *sample * weight;
+        for (down, row) in [middle - width - 1, middle - 1, middle + width - 1].into_iter().enumerate() {
+            let sums = &self.sums[3 * down..3 * down + 3];
+            if !light.near_mixed[middle] {
+                let lights = &light.even[row..row + 3];
+                sum += lights[0] * sums[0] + lights[1] * sums[1] + lights[2] * sums[2];
+                continue;
+            }
+            for right in 0..3 {
+                match light.place[row + right] {
+                    EVEN => sum += light.even[row + right] * sums[right],
+                    place => {
+                        for (sample, weight) in light.mixed[place as usize].iter().zip(self.weights[3 * down + right]) {
+                            sum += *sample * weight;
+                        }
                     }
                 }
             }

@@ -5,10 +5,10 @@ use glam::DVec3;
 use super::{Pattern, raster::Canvas, samples::SamplePattern, stage::Stage};
 use crate::scene::PatternKind;
 
-/// Whether bands leave the surface out where the field that they run along has this value.
-pub fn is_gap(bands: &Pattern, value: f64) -> bool {
-    let place = value / f64::from(bands.periods[0]);
-    place - place.floor() >= 1.0 - f64::from(bands.gap)
+/// Whether the pattern leaves the surface out where the field that it runs along has this value.
+pub fn gap_at(pattern: &Pattern, value: f64) -> bool {
+    let place = value / f64::from(pattern.periods[0]);
+    pattern.kind == PatternKind::Bands && place - place.floor() >= 1.0 - f64::from(pattern.gap)
 }
 
 /// The gaps of a picture.
@@ -65,7 +65,7 @@ impl<C: Canvas<S>, const S: usize> Canvas<S> for Gapped<'_, C, S> {
             let place = self.pattern.place(sample);
             let at = [f64::from(x) + f64::from(place[0]), f64::from(y) + f64::from(place[1])];
             let seen = |plane: &[f64; 3]| plane[0] + plane[1] * at[0] + plane[2] * at[1];
-            if is_gap(&self.bands, seen(&self.value) / seen(&self.scale)) {
+            if gap_at(&self.bands, seen(&self.value) / seen(&self.scale)) {
                 *outside = -1;
             }
         }

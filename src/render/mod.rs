@@ -22,6 +22,7 @@ mod framing;
 mod gaps;
 mod ground;
 mod intersect;
+mod lanes;
 mod layers;
 mod legend;
 mod light;

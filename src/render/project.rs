@@ -21,8 +21,9 @@ impl ScreenTriangle {
     /// First and last pixel that it may touch, in x and y.
     pub fn bounds(&self) -> [[i32; 2]; 2] {
         let [a, b, c] = self.corners;
-        let pixel = |value: i32| value.div_euclid(SUBPIXELS);
-        [0, 1].map(|axis| [a[axis].min(b[axis]).min(c[axis]), a[axis].max(b[axis]).max(c[axis])].map(pixel))
+        let span =
+            |a: i32, b: i32, c: i32| [a.min(b).min(c).div_euclid(SUBPIXELS), a.max(b).max(c).div_euclid(SUBPIXELS)];
+        [span(a[0], b[0], c[0]), span(a[1], b[1], c[1])]
     }
 }
 

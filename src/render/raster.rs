@@ -5,6 +5,7 @@
 //! hit no sample twice.
 
 use super::{
+    lanes,
     project::ScreenTriangle,
     samples::{SUBPIXELS, SamplePattern},
 };
@@ -89,7 +90,7 @@ pub fn draw<const S: usize>(
     let plane = Plane::new(triangle, pattern);
     if touched.width().max(touched.height()) <= SMALL {
         let origin = [touched.x[0], touched.y[0]];
-        let start = [0, 1, 2].map(|k| outline.at(k, origin) as i32);
+        let start = [outline.at(0, origin) as i32, outline.at(1, origin) as i32, outline.at(2, origin) as i32];
         outline.fill(start, &plane.seen_from(origin), origin, &part, canvas);
         return;
     }
@@ -126,13 +127,17 @@ struct Outline<const S: usize> {
 impl<const S: usize> Outline<S> {
     #[inline(always)]
     fn new(triangle: &ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
-        let edge = |k: usize| {
-            let (from, to) = (triangle.corners[k], triangle.corners[(k + 1) % 3]);
-            [from[1] - to[1], to[0] - from[0]]
-        };
-        let (right, down) = ([0, 1, 2].map(|k| edge(k)[0]), [0, 1, 2].map(|k| edge(k)[1]));
-        let to_samples = [0, 1, 2].map(|k| std::array::from_fn(|s| right[k] * pattern.x[s] + down[k] * pattern.y[s]));
-        Self { right, down, to_samples, through: triangle.corners }
+        let through = triangle.corners;
+        let [a, b, c] = through;
+        let right = [a[1] - b[1], b[1] - c[1], c[1] - a[1]];
+        let down = [b[0] - a[0], c[0] - b[0], a[0] - c[0]];
+        let mut to_samples = [[0; S]; 3];
+        for edge in 0..3 {
+            for sample in 0..S {
+                to_samples[edge][sample] = right[edge] * pattern.x[sample] + down[edge] * pattern.y[sample];
+            }
+        }
+        Self { right, down, to_samples, through }
     }
 
     /// An edge function at the upper left corner of a pixel.
@@ -142,8 +147,9 @@ impl<const S: usize> Outline<S> {
     #[inline(always)]
     fn at(&self, edge: usize, pixel: [i32; 2]) -> i64 {
         let top_left = self.right[edge] > 0 || (self.right[edge] == 0 && self.down[edge] > 0);
-        let offset = [0, 1].map(|axis| i64::from(pixel[axis] * SUBPIXELS - self.through[edge][axis]));
-        let value = i64::from(self.right[edge]) * offset[0] + i64::from(self.down[edge]) * offset[1];
+        let [x, y] = self.through[edge];
+        let (to_right, to_down) = (i64::from(pixel[0] * SUBPIXELS - x), i64::from(pixel[1] * SUBPIXELS - y));
+        let value = i64::from(self.right[edge]) * to_right + i64::from(self.down[edge]) * to_down;
         (value - i64::from(!top_left)) >> SAMPLE_STEP
     }
 
@@ -180,37 +186,41 @@ impl<const S: usize> Outline<S> {
         canvas: &mut impl Canvas<S>,
     ) {
         for y in region.y[0]..region.y[1] {
-            let steps_down = (y - origin[1]) * STEPS;
-            let row = [0, 1, 2].map(|k| start[k] + self.down[k] * steps_down);
+            let (to_down, to_right) = ((y - origin[1]) * STEPS, (region.x[0] - origin[0]) * STEPS);
+            let mut value = start;
+            for edge in 0..3 {
+                value[edge] += self.down[edge] * to_down + self.right[edge] * to_right;
+            }
             for x in region.x[0]..region.x[1] {
-                let steps_right = (x - origin[0]) * STEPS;
-                let pixel = [0, 1, 2].map(|k| row[k] + self.right[k] * steps_right);
-                let outside = std::array::from_fn(|s| {
-                    (pixel[0] + self.to_samples[0][s])
-                        | (pixel[1] + self.to_samples[1][s])
-                        | (pixel[2] + self.to_samples[2][s])
-                });
-                canvas.cover(x, y, outside, depth.at([x - origin[0], y - origin[1]]));
+                let outside = lanes::outside(value, &self.to_samples);
+                canvas.cover(x, y, outside, depth.at(x - origin[0], y - origin[1]));
+                for edge in 0..3 {
+                    // Wraps only past the last pixel.
+                    value[edge] = value[edge].wrapping_add(self.right[edge] * STEPS);
+                }
             }
         }
     }
 }
 
 /// The depth of a triangle in double precision.
-struct Plane<'a, const S: usize> {
+struct Plane<const S: usize> {
     depth: [f64; 3],
     slope: [f32; 2],
     to_samples: [f32; S],
-    range: &'a [f32; 2],
+    range: [f32; 2],
 }
 
-impl<'a, const S: usize> Plane<'a, S> {
+impl<const S: usize> Plane<S> {
     #[inline(always)]
-    fn new(triangle: &'a ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
+    fn new(triangle: &ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
         let slope = [triangle.depth[1] as f32, triangle.depth[2] as f32];
-        let step = slope.map(|slope| slope / STEPS as f32);
-        let to_samples = std::array::from_fn(|s| step[0] * pattern.x[s] as f32 + step[1] * pattern.y[s] as f32);
-        Self { depth: triangle.depth, slope, to_samples, range: &triangle.depth_range }
+        let mut to_samples = [0.0; S];
+        for sample in 0..S {
+            let [x, y] = [pattern.x[sample] as f32, pattern.y[sample] as f32];
+            to_samples[sample] = (slope[0] * x + slope[1] * y) * (1.0 / STEPS as f32);
+        }
+        Self { depth: triangle.depth, slope, to_samples, range: triangle.depth_range }
     }
 
     #[inline(always)]
@@ -223,23 +233,22 @@ impl<'a, const S: usize> Plane<'a, S> {
 /// The depth around a pixel, where single precision is enough. It depends on the triangle alone, not on the region
 /// that is drawn, so that parts of a picture have the bits of the whole.
 struct SeenPlane<'a, const S: usize> {
-    plane: &'a Plane<'a, S>,
+    plane: &'a Plane<S>,
     start: f32,
 }
 
 impl<const S: usize> SeenPlane<'_, S> {
     #[inline(always)]
-    fn at(&self, [x, y]: [i32; 2]) -> [f32; S] {
+    fn at(&self, x: i32, y: i32) -> [f32; S] {
         let pixel = self.start + (self.plane.slope[0] * x as f32 + self.plane.slope[1] * y as f32);
-        let [low, high] = *self.plane.range;
-        self.plane.to_samples.map(|to_sample| (pixel + to_sample).max(low).min(high))
+        lanes::clamped_sums(pixel, &self.plane.to_samples, self.plane.range)
     }
 
     /// No sample of the block that begins here is nearer.
     #[inline(always)]
     fn nearest_in_block(&self) -> f32 {
         let side = BLOCK as f32;
-        let [right, down] = self.plane.slope.map(|slope| slope * side);
+        let (right, down) = (self.plane.slope[0] * side, self.plane.slope[1] * side);
         let rounding = 1e-5 * (right.abs() + down.abs() + self.start.abs());
         (self.start + right.max(0.0) + down.max(0.0) + rounding).max(self.plane.range[0]).min(self.plane.range[1])
     }

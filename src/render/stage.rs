@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2, Vec3A};
 use rayon::prelude::*;
 
-use super::{Camera, Field, Look, Output, Scenery, project::Projection};
+use super::{Camera, Field, Look, Output, Scenery, gaps::gap_at, project::Projection};
 
 /// The drawable part of a surface in stage space: axes as in view space, the origin in the middle of
 /// what the camera frames, and the framed radius as the unit of length.
@@ -27,6 +27,8 @@ pub struct Stage {
     pub shows_front: Vec<bool>,
     /// For each of the two fields of the pattern, its values at the corners of each face; empty without.
     pub along: [Vec<[f32; 3]>; 2],
+    /// Faces that light cannot pass, all but those whose middle lies in a gap of the pattern.
+    pub blocking: Vec<u32>,
     /// Triangles that were left out.
     pub skipped: usize,
     /// How world space is seen.
@@ -114,9 +116,15 @@ impl Stage {
                 .collect(),
             _ => Vec::new(),
         };
+        let along = scenery.along.map(at_corners);
+        let is_blocking = |face: &u32| match (look.pattern, along[0].get(*face as usize)) {
+            (Some(pattern), Some(values)) => !gap_at(&pattern, f64::from(values.iter().sum::<f32>() / 3.0)),
+            _ => true,
+        };
         Self {
+            blocking: (0..faces.len() as u32).into_par_iter().filter(is_blocking).collect(),
             pixels: projected.par_iter().map(|place| place.truncate().as_vec2()).collect(),
-            along: scenery.along.map(at_corners),
+            along,
             sight: Sight::new(camera, output, |point| ((point - center) / radius).as_vec3a()),
             normals,
             positions,

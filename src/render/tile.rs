@@ -1,6 +1,7 @@
 //! The visibility buffer of a tile: which primitive each sample sees, and how far away.
 
 use super::{
+    lanes::{self, take_nearer},
     raster::{BLOCK, Canvas, Region},
     samples::SamplePattern,
     tube::ScreenTube,
@@ -76,7 +77,7 @@ impl<const S: usize> SampleTile<S> {
                 for sample in 0..S {
                     let place = self.pattern.place(sample);
                     if let Some(depth) = tube.depth_at([x as f32 + place[0], y as f32 + place[1]]) {
-                        (outside[sample], depths[sample]) = (0, depth);
+                        (outside[sample], depths[sample]) = (0, depth.max(0.0));
                     }
                 }
                 self.cover(x, y, outside, depths);
@@ -102,9 +103,7 @@ impl<const S: usize> Canvas<S> for SampleTile<S> {
             if let Some(pixels) = pixels.common(&self.outer) {
                 for y in pixels.y[0]..pixels.y[1] {
                     let row = self.outer.index(pixels.x[0], y);
-                    for depths in &self.depth[row..row + pixels.width() as usize] {
-                        farthest = depths.iter().copied().fold(farthest, f32::min);
-                    }
+                    farthest = lanes::least(&self.depth[row..row + pixels.width() as usize], farthest);
                 }
             }
             self.farthest[block] = farthest;
@@ -115,12 +114,7 @@ impl<const S: usize> Canvas<S> for SampleTile<S> {
     #[inline(always)]
     fn cover(&mut self, x: i32, y: i32, outside: [i32; S], depth: [f32; S]) {
         let pixel = self.outer.index(x, y);
-        let (depths, ids) = (&mut self.depth[pixel], &mut self.id[pixel]);
-        for sample in 0..S {
-            let nearer = (outside[sample] >= 0) & (depth[sample] > depths[sample]);
-            depths[sample] = if nearer { depth[sample] } else { depths[sample] };
-            ids[sample] = if nearer { self.drawing } else { ids[sample] };
-        }
+        take_nearer(&mut self.depth[pixel], &mut self.id[pixel], &outside, &depth, self.drawing);
         let block = self.blocks.index(x.div_euclid(BLOCK), y.div_euclid(BLOCK));
         self.stale[block] = true;
     }

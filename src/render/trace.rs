@@ -22,10 +22,10 @@ pub struct Occluder {
 impl Occluder {
     pub fn new(stage: &Stage) -> Self {
         let triangles: Vec<Triangle> = stage
-            .faces
+            .blocking
             .iter()
-            .map(|corners| {
-                let [v0, v1, v2] = corners.map(|vertex| stage.positions[vertex as usize]);
+            .map(|&face| {
+                let [v0, v1, v2] = stage.faces[face as usize].map(|vertex| stage.positions[vertex as usize]);
                 Triangle { v0, v1, v2 }
             })
             .collect();
