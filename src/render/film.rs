@@ -10,7 +10,7 @@ use image::{
 };
 use rayon::prelude::*;
 
-use super::{RenderError, color::srgb_from_linear};
+use super::{RenderError, color::srgb_bytes};
 
 /// A finished picture in linear light, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,19 +76,16 @@ impl Film {
 
     /// The picture over its background as sRGB bytes, three per pixel, row by row.
     pub fn srgb_bytes(&self) -> Vec<u8> {
-        let encode = |color: Vec3, noise: f32| {
-            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + noise + 0.5).clamp(0.0, 255.0) as u8)
-        };
         let mut bytes = vec![0; 3 * self.width * self.height];
         let rows = bytes.par_chunks_mut(3 * self.width).zip(self.beauty.par_chunks(self.width)).enumerate();
         rows.for_each(|(y, (bytes, row))| {
             let background = self.background[y];
             // The background alone has no gradient and needs no dither.
-            let bare = encode(background, 0.0);
+            let bare = srgb_bytes(background, 0.0);
             for (x, (bytes, light)) in bytes.as_chunks_mut().0.iter_mut().zip(row).enumerate() {
                 *bytes = if light.w > 0.0 {
                     let color = light.truncate() + background * (1.0 - light.w);
-                    encode(color, dither(self.origin[0] + x, self.origin[1] + y))
+                    srgb_bytes(color, dither(self.origin[0] + x, self.origin[1] + y))
                 } else {
                     bare
                 };
