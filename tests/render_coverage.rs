@@ -137,6 +137,38 @@ fn a_floor_that_passes_under_the_eye_is_clipped_at_the_near_plane() {
 }
 
 #[test]
+fn triangles_that_reach_far_beyond_the_picture_cover_what_they_should() {
+    // A half-plane whose edge ascends through the middle of the picture, with corners up to a million pixels away.
+    for far in [30.0, 3e3, 3e4, 1e6] {
+        let corners = [[-far, -far, 0.0], [far + 8.0, -far, 0.0], [far + 8.0, far + 8.0, 0.0]];
+        let film = picture([8, 8], 1, &[corners]);
+        // The middles of the pixels on the diagonal lie on the edge, which is on the left of the triangle.
+        let wanted: Vec<String> = (0..8).map(|row| ".".repeat(7 - row) + &"#".repeat(row + 1)).collect();
+        assert_eq!(drawing(&film), lines(&wanted.iter().map(String::as_str).collect::<Vec<_>>()), "{far} pixels away");
+    }
+}
+
+#[test]
+fn large_and_small_triangles_meet_without_a_crack() {
+    // One large triangle on one side of the diagonal, many small ones on the other.
+    let size = 40.0;
+    let large = [[0.0, 0.0, 0.0], [size, 0.0, 0.0], [size, size, 0.0]];
+    let small = (0..40).map(|k| {
+        let (low, high) = (f64::from(k), f64::from(k) + 1.0);
+        [[low, low, 0.0], [high, high, 0.0], [0.0, size, 0.0]]
+    });
+    for samples in [1, 4, 8, 16] {
+        let parts =
+            [picture([40, 40], samples, &[large]), picture([40, 40], samples, &small.clone().collect::<Vec<_>>())];
+        for pixel in 0..40 * 40 {
+            let sum: f32 = parts.iter().map(|film| film.beauty()[pixel].w).sum();
+            let inside = (1..39).contains(&(pixel % 40)) && (1..39).contains(&(pixel / 40));
+            assert!(!inside || (sum - 1.0).abs() < 1e-4, "{samples} samples, pixel {pixel}: {sum}");
+        }
+    }
+}
+
+#[test]
 fn nothing_nearer_than_the_near_plane_is_seen() {
     let output = Output::new(4, 2, 1).expect("a size");
     let camera = Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");

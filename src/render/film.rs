@@ -7,7 +7,10 @@ use glam::{Vec2, Vec3, Vec4};
 use rayon::prelude::*;
 use tempfile::NamedTempFile;
 
-use super::{RenderError, color::srgb_from_linear};
+use super::{
+    RenderError,
+    color::{srgb_bytes, srgb_words},
+};
 
 /// A finished picture in linear light, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -88,18 +91,15 @@ impl Film {
         // A background of one colour needs no dither.
         let flat = self.background.windows(2).all(|rows| is_same(rows[0], rows[1]));
         let [left, top] = self.corner;
-        let encode = |color: Vec3, noise: f32| {
-            color.to_array().map(|value| (srgb_from_linear(value) * 255.0 + noise + 0.5).clamp(0.0, 255.0) as u8)
-        };
         let mut bytes = vec![0; 3 * self.width * self.height];
         let rows = bytes.par_chunks_mut(3 * self.width).zip(self.beauty.par_chunks(self.width)).enumerate();
         rows.for_each(|(y, (bytes, row))| {
             let background = self.background[y];
-            let bare = encode(background, 0.0);
+            let bare = srgb_bytes(background, 0.0);
             for (x, (bytes, light)) in bytes.as_chunks_mut().0.iter_mut().zip(row).enumerate() {
                 *bytes = if light.w > 0.0 || !flat {
                     let color = light.truncate() + background * (1.0 - light.w);
-                    encode(color, dither(left + x, top + y))
+                    srgb_bytes(color, dither(left + x, top + y))
                 } else {
                     bare
                 };
@@ -110,8 +110,7 @@ impl Film {
 
     /// The picture over its background in sRGB with 16 bits, three values per pixel, row by row.
     pub fn srgb_words(&self) -> Vec<u16> {
-        let word = |value: f32| (srgb_from_linear(value) * 65535.0 + 0.5).clamp(0.0, 65535.0) as u16;
-        let pixel = |(index, light): (usize, &Vec4)| self.over_background(index, light).to_array().map(word);
+        let pixel = |(index, light): (usize, &Vec4)| srgb_words(self.over_background(index, light));
         self.beauty.par_iter().enumerate().with_min_len(4096).flat_map_iter(pixel).collect()
     }
 

@@ -68,11 +68,13 @@ impl<const S: usize> LightTile<S> {
 
     /// Applies the tone curve to every sample.
     pub fn tone(&mut self) {
-        self.even.iter_mut().chain(self.mixed.iter_mut().flatten()).for_each(|light| *light = toned(*light));
+        self.even.iter_mut().for_each(|light| *light = toned(*light));
+        self.mixed.iter_mut().flatten().for_each(|light| *light = toned(*light));
     }
 }
 
 /// The tone curve is for the light itself, not for its product with coverage.
+#[inline]
 fn toned(light: Vec4) -> Vec4 {
     let coverage = light.w;
     if coverage <= 0.0 {
@@ -113,9 +115,9 @@ impl<const S: usize> Filter<S> {
                 sum += lights[0] * sums[0] + lights[1] * sums[1] + lights[2] * sums[2];
                 continue;
             }
-            for right in 0..3 {
+            for (right, sum_of_weights) in sums.iter().enumerate() {
                 match light.place[row + right] {
-                    EVEN => sum += light.even[row + right] * sums[right],
+                    EVEN => sum += light.even[row + right] * *sum_of_weights,
                     place => {
                         for (sample, weight) in light.mixed[place as usize].iter().zip(self.weights[3 * down + right]) {
                             sum += *sample * weight;

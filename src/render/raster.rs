@@ -131,12 +131,8 @@ impl<const S: usize> Outline<S> {
         let [a, b, c] = through;
         let right = [a[1] - b[1], b[1] - c[1], c[1] - a[1]];
         let down = [b[0] - a[0], c[0] - b[0], a[0] - c[0]];
-        let mut to_samples = [[0; S]; 3];
-        for edge in 0..3 {
-            for sample in 0..S {
-                to_samples[edge][sample] = right[edge] * pattern.x[sample] + down[edge] * pattern.y[sample];
-            }
-        }
+        let along = |edge: usize| pattern.map(|x, y| right[edge] * x + down[edge] * y);
+        let to_samples = [along(0), along(1), along(2)];
         Self { right, down, to_samples, through }
     }
 
@@ -158,7 +154,7 @@ impl<const S: usize> Outline<S> {
     #[inline(always)]
     fn in_block(&self, pixel: [i32; 2]) -> Option<(Self, [i32; 3])> {
         let (mut crossing, mut start) = (*self, [0; 3]);
-        for edge in 0..3 {
+        for (edge, start) in start.iter_mut().enumerate() {
             let value = self.at(edge, pixel);
             let reach = i64::from(BLOCK * STEPS - 1);
             let (right, down) = (i64::from(self.right[edge]) * reach, i64::from(self.down[edge]) * reach);
@@ -169,7 +165,7 @@ impl<const S: usize> Outline<S> {
                 (crossing.right[edge], crossing.down[edge]) = (0, 0);
                 crossing.to_samples[edge] = [0; S];
             } else {
-                start[edge] = value as i32;
+                *start = value as i32;
             }
         }
         Some((crossing, start))
@@ -188,15 +184,15 @@ impl<const S: usize> Outline<S> {
         for y in region.y[0]..region.y[1] {
             let (to_down, to_right) = ((y - origin[1]) * STEPS, (region.x[0] - origin[0]) * STEPS);
             let mut value = start;
-            for edge in 0..3 {
-                value[edge] += self.down[edge] * to_down + self.right[edge] * to_right;
+            for (value, (right, down)) in value.iter_mut().zip(self.right.iter().zip(&self.down)) {
+                *value += right * to_right + down * to_down;
             }
             for x in region.x[0]..region.x[1] {
                 let outside = lanes::outside(value, &self.to_samples);
                 canvas.cover(x, y, outside, depth.at(x - origin[0], y - origin[1]));
-                for edge in 0..3 {
+                for (value, right) in value.iter_mut().zip(self.right) {
                     // Wraps only past the last pixel.
-                    value[edge] = value[edge].wrapping_add(self.right[edge] * STEPS);
+                    *value = value.wrapping_add(right * STEPS);
                 }
             }
         }
@@ -215,11 +211,8 @@ impl<const S: usize> Plane<S> {
     #[inline(always)]
     fn new(triangle: &ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
         let slope = [triangle.depth[1] as f32, triangle.depth[2] as f32];
-        let mut to_samples = [0.0; S];
-        for sample in 0..S {
-            let [x, y] = [pattern.x[sample] as f32, pattern.y[sample] as f32];
-            to_samples[sample] = (slope[0] * x + slope[1] * y) * (1.0 / STEPS as f32);
-        }
+        let step = [slope[0] * (1.0 / STEPS as f32), slope[1] * (1.0 / STEPS as f32)];
+        let to_samples = pattern.map(|x, y| step[0] * x as f32 + step[1] * y as f32);
         Self { depth: triangle.depth, slope, to_samples, range: triangle.depth_range }
     }
 

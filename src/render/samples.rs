@@ -47,6 +47,16 @@ impl<const S: usize> SamplePattern<S> {
         Self { x: place(0), y: place(1) }
     }
 
+    /// A value for each sample from its place in sixteenths.
+    #[inline(always)]
+    pub fn map<T: Copy + Default>(&self, value: impl Fn(i32, i32) -> T) -> [T; S] {
+        let mut values = [T::default(); S];
+        for (result, (&x, &y)) in values.iter_mut().zip(self.x.iter().zip(&self.y)) {
+            *result = value(x, y);
+        }
+        values
+    }
+
     /// A sample's place in pixels.
     pub fn place(&self, sample: usize) -> [f32; 2] {
         [self.x[sample] as f32 / 16.0, self.y[sample] as f32 / 16.0]

@@ -139,6 +139,7 @@ impl Stage {
     }
 
     /// Unit vector toward the eye and barycentric weights of the point of a face seen at a place in pixels.
+    #[inline]
     pub fn sight(&self, face: usize, at: [f32; 2]) -> (Vec3A, [f32; 3]) {
         let (origin, direction) = self.ray(at);
         let weights = self.weights_along(face, origin, direction);
