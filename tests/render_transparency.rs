@@ -99,10 +99,9 @@ fn covered_row(film: &Film) -> String {
 #[test]
 fn three_layers_are_in_order_whatever_the_order_of_the_triangles() {
     let output = Output::new(4, 4, 4).expect("a size");
-    // From the top: red, blue, red, each letting half of the light through.
-    let layers = [(3.0, true), (2.0, false), (1.0, true)];
-    let half_red = 0.5 * RED;
-    let wanted = (half_red + 0.5 * (0.5 * BLUE + 0.5 * half_red)).extend(0.875);
+    // From the top: red, blue, blue, each letting half of the light through.
+    let layers = [(3.0, true), (2.0, false), (1.0, false)];
+    let wanted = (0.5 * RED + 0.25 * BLUE + 0.125 * BLUE).extend(0.875);
     for order in [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]] {
         let model = order.iter().fold(Model::default(), |model, &layer| {
             let (z, front) = layers[layer];
@@ -118,8 +117,10 @@ fn three_layers_are_in_order_whatever_the_order_of_the_triangles() {
 fn front_and_back_have_their_own_opacity() {
     let output = Output::new(2, 2, 4).expect("a size");
     let look = Look { opacity: [0.25, 0.75], edge_opacity: 0.25, ..unlit() };
-    let front = Model::default().sheet([-4.0, -4.0], [8.0, 8.0], [0.0; 2], true).film(&look, &output);
-    assert_close(front.beauty()[0], (0.25 * RED).extend(0.25), "front");
+    for (shows_front, color, opacity) in [(true, RED, 0.25), (false, BLUE, 0.75)] {
+        let film = Model::default().sheet([-4.0, -4.0], [8.0, 8.0], [0.0; 2], shows_front).film(&look, &output);
+        assert_close(film.beauty()[0], (opacity * color).extend(opacity), &format!("front {shows_front}"));
+    }
 }
 
 #[test]
