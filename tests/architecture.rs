@@ -126,7 +126,8 @@ fn stages_see_only_what_they_may() {
         let may = in_module(&["scene", "cache", "render", "movie", "cli"]) || path_text.starts_with("mesh/read/");
         assert!(may || !reaches_disk, "{path_text} reaches the disk");
         // Pictures of energies ask for the weights of a scene's phases, and for nothing else of what makes frames.
-        let solves = text.contains("Poisson") || text.contains("Simulation") || imports(&text).contains(&"frames".to_owned());
+        let solves =
+            text.contains("Poisson") || text.contains("Simulation") || imports(&text).contains(&"frames".to_owned());
         assert!(!in_module(&["render", "movie"]) || !solves, "{path_text} solves");
     }
 }

@@ -23,7 +23,7 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
     let mesh = Mesh::from_faces(frames[0].len(), triangles).expect("a manifold");
     let film =
         Film { scene: "test".into(), fingerprint: 7, frame_count: frames.len(), checks: scene("").checks.clone() };
-    let cache = Cache::open_or_create(folder, &film, &mesh, None).expect("a cache");
+    let cache = Cache::open_or_create(folder, &film, &mesh, Some(&frames[0])).expect("a cache");
     for (k, positions) in frames.iter().enumerate() {
         let time = if frames.len() > 1 { k as f64 / (frames.len() - 1) as f64 } else { 0.0 };
         let report = FrameReport {
@@ -374,8 +374,8 @@ fn what_cannot_be_is_said_with_a_remedy() {
         ("[clock]\nframes = 9", vec![1, 5], "frame 5 has not been computed; run `immerse simulate` first"),
         ("[look]\nhide_faces = [80]", vec![1], "there is no face 80"),
         ("[look]\nhide = 'q'", vec![1], "there is no `q`"),
-        ("[mesh]\nshape = 'sphere'\nsubdivisions = 1\n[look]\nhide = 'z'", vec![1], "not that of the film"),
-        ("[[look.text]]\ntext = '{fame}'", vec![1], "nothing is known as {fame}"),
+        ("[mesh]\nshape = 'sphere'\nsubdivisions = 1\n[[pin]]\nvertices = [0]", vec![1], "not that of the film"),
+        ("[[look.text]]\ntext = '{fame}'", vec![1], "asks for `{fame}`"),
         ("[camera]\ndirection = [0, 0, 1]\nup = [0, 0, -1]", vec![1], "parallel to the direction of view"),
     ] {
         let text = if text.contains("[mesh]") { text.to_owned() } else { format!("{sphere}{text}") };

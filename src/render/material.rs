@@ -27,6 +27,8 @@ pub struct Leaving {
     pub body: Vec3,
     /// Reflected off its skin, whatever it is made of; seen on thin sheets too.
     pub highlight: Vec3,
+    /// Share of what is behind a thin sheet that its skin hides, because it reflects.
+    pub cover: f32,
 }
 
 /// Share of a light that still comes through in a full shadow.
@@ -87,7 +89,8 @@ impl Lit<'_> {
         }
         let grazing = 1.0 - self.normal.dot(self.toward_eye).clamp(0.0, 1.0);
         let rim = 1.0 - self.look.rim_darkening * grazing * grazing * grazing;
-        Leaving { body: self.albedo * diffuse * rim, highlight: highlight * rim.min(1.0) }
+        let highlight = highlight * rim.min(1.0);
+        Leaving { body: self.albedo * diffuse * rim, highlight, cover: highlight.max_element().min(1.0) }
     }
 
     /// Lambert under GGX; what the facets reflect of the ambient light is taken from the diffuse part, so
@@ -103,7 +106,8 @@ impl Lit<'_> {
         let open = occlusion(self.sky, self.albedo);
         let kept = Vec3::ONE - reflected;
         let mut body = base * kept * self.ambient(self.normal.y) * open;
-        let mut highlight = reflected * self.ambient(up) * open;
+        let surround = reflected * self.ambient(up) * open;
+        let mut highlight = Vec3::ZERO;
         let alpha = roughness * roughness;
         for (light, lambert, share) in self.arriving(seen) {
             body += base * kept * light.color * (lambert * leaked(share));
@@ -118,7 +122,8 @@ impl Lit<'_> {
                 highlight += fresnel * bounces * light.color * strength.min(8.0);
             }
         }
-        Leaving { body, highlight }
+        let cover = (reflected + highlight).max_element().min(1.0);
+        Leaving { body, highlight: surround + highlight, cover }
     }
 
     /// Light in steps, with a narrow passage between them.

@@ -4,7 +4,7 @@ use glam::{Vec2, Vec3, Vec3A};
 
 use super::{
     Camera, Light, Lights, Look, Material, Output, Paint, Scenery,
-    material::Lit,
+    material::{Leaving, Lit},
     pattern::{Mark, Spread},
     stage::Stage,
     tube::{ScreenTube, Stroke},
@@ -54,7 +54,7 @@ impl Shader<'_> {
         let albedo = self.patterned(self.albedo(face, side, weights), face, at);
 
         let leaving = if self.look.material == Material::Flat {
-            super::material::Leaving { body: albedo, highlight: Vec3::ZERO }
+            Leaving { body: albedo, ..Leaving::default() }
         } else {
             let point = raised(mix(points), points, normals, weights);
             let seen = |index: usize, light: &Light| match self.visibility.shade(index, face) {
@@ -69,7 +69,7 @@ impl Shader<'_> {
         };
         // A thin sheet lets its own colour through, not its highlights.
         let sheet = self.opacity(side, normal.dot(toward_eye));
-        let opacity = sheet + (1.0 - sheet) * leaving.highlight.max_element().min(1.0);
+        let opacity = sheet + (1.0 - sheet) * leaving.cover;
         let color = (leaving.body * sheet + leaving.highlight) / opacity.max(1e-6);
         let (color, opacity) = self.with_wires(color, opacity, corners, at);
         Shaded { color, opacity, normal: side_normal(normal, side) }
