@@ -1,7 +1,7 @@
 //! How long a frame takes: a bumpy torus of 30 thousand and of a million triangles at 1920 x 1080 with 4 samples, from
 //! positions to 8-bit bytes, on a turntable.
 //!
-//! `cargo bench --bench render` prints a table. `cargo bench --bench render -- serve FOLDER` writes the meshes and
+//! `cargo bench --bench render` prints a table (of the cases that are named, or of all). `cargo bench --bench render -- serve FOLDER` writes the meshes and
 //! cameras there and then renders what it is asked for on standard input, for `benches/llvmpipe.sh`, which
 //! compares with Mesa.
 
@@ -156,7 +156,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return serve(&cases, Path::new(folder));
     }
     println!("{} x {}, {SAMPLES} samples, {} threads", SIZE[0], SIZE[1], rayon::current_num_threads());
-    for case in &cases {
+    for case in cases.iter().filter(|case| words.is_empty() || words.iter().any(|word| word == case.name)) {
         case.time(0)?;
         let mut times = (0..REPEATS).map(|view| case.time(view)).collect::<Result<Vec<_>, _>>()?;
         times.sort_by(f64::total_cmp);

@@ -65,7 +65,7 @@ impl<'a> LayerBuilder<'a> {
         layers.face_ids.push(triangle as u32);
         layers.sides.push(if side == 0 { 1.0 } else { -1.0 });
         layers.motion.push(motion);
-        layers.occlusion.push((0..3).map(|k| self.shader.visibility.sky(side, corners[k]) * weights[k]).sum());
+        layers.occlusion.push(self.shader.visibility.sky_seen(side, corners, weights));
         for ((_, values), field) in layers.fields.iter_mut().zip(scenery.fields) {
             let at_corners = field.at_corners(triangle, corners);
             values.push((0..3).map(|k| at_corners[k] * weights[k]).sum());

@@ -169,6 +169,9 @@ fn leaked(share: f32) -> f32 {
 
 /// Ambient light where a share `sky` of it is seen; light that bounces takes on the surface's colour.
 fn occlusion(sky: f32, albedo: Vec3) -> Vec3 {
+    if sky >= 1.0 {
+        return Vec3::ONE;
+    }
     let open = sky.max(0.0) * sky.max(0.0).sqrt();
     let bounce = (1.0 - open) * (Vec3::ONE - 0.35 * albedo);
     Vec3::splat(open) / (Vec3::splat(open) + bounce).max(Vec3::splat(1e-6))

@@ -56,17 +56,22 @@ impl Shader<'_> {
         let leaving = if self.look.material == Material::Flat {
             Leaving { body: albedo, ..Leaving::default() }
         } else {
-            let point = raised(mix(points), points, normals, weights);
             let seen = |index: usize, light: &Light| match self.visibility.shade(index, face) {
                 Shade::Lit => 1.0,
                 Shade::Dark => 0.0,
-                Shade::Mixed => self.visibility.light_seen(light, point, normal, pixel_turn(at)),
+                Shade::Mixed => {
+                    let point = raised(mix(points), points, normals, weights);
+                    self.visibility.light_seen(light, point, normal, pixel_turn(at))
+                }
             };
-            let sky = (0..3).map(|k| self.visibility.sky(side, corners[k]) * weights[k]).sum::<f32>();
+            let sky = self.visibility.sky_seen(side, corners, weights);
             let sky = 1.0 - self.look.occlusion * (1.0 - sky);
             let lit = Lit { albedo, normal, toward_eye, sky, lights: self.lights, look: self.look };
             lit.leaving(&self.look.material, seen)
         };
+        if self.look.is_opaque() && self.look.wireframe == 0.0 {
+            return Shaded { color: leaving.body + leaving.highlight, opacity: 1.0, normal: side_normal(normal, side) };
+        }
         // A thin sheet lets its own colour through, not its highlights.
         let sheet = self.opacity(side, normal.dot(toward_eye));
         let opacity = sheet + (1.0 - sheet) * leaving.cover;

@@ -80,9 +80,10 @@ impl Visibility {
         visibility
     }
 
-    /// Share of the sky seen at a vertex from one side (0 front, 1 back).
-    pub fn sky(&self, side: usize, vertex: u32) -> f32 {
-        self.sky[side].get(vertex as usize).copied().unwrap_or(1.0)
+    /// Share of the sky seen from one side (0 front, 1 back) of a place between vertices.
+    pub fn sky_seen(&self, side: usize, corners: [u32; 3], weights: [f32; 3]) -> f32 {
+        let sky = &self.sky[side];
+        if sky.is_empty() { 1.0 } else { (0..3).map(|k| sky[corners[k] as usize] * weights[k]).sum() }
     }
 
     /// How a light falls on a face.
