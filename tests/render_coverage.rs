@@ -3,11 +3,11 @@
 //! The view is orthographic with one unit per pixel, x to the right and y up, the origin in the lower
 //! left corner of the picture, and one sample in the middle of each pixel. `#` is a front, `o` a back.
 
+mod support;
+
 use glam::{DVec3, Vec3};
-use immerse::{
-    render::{Camera, Extent, Film, Lights, Lines, Look, Output, Paint, Scenery, render},
-    scene::CameraSection,
-};
+use immerse::render::{Camera, Film, Lights, Lines, Look, Output, Paint, Scenery, render};
+use support::plan_view;
 
 const WHITE: Vec3 = Vec3::ONE;
 
@@ -21,19 +21,6 @@ fn flat_look() -> Look {
         lines: Lines::NONE,
         ..Look::default()
     }
-}
-
-fn plan_view(output: &Output) -> Camera {
-    let (width, height) = (output.width() as f64, output.height() as f64);
-    let extent = Extent::of(&[DVec3::ZERO, DVec3::new(width, height, 0.0)]);
-    let section = CameraSection {
-        direction: Some([0.0, 0.0, 1.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        field_of_view: Some(0.0),
-        fill: Some(1.0),
-        ..CameraSection::default()
-    };
-    Camera::framing(&section, &extent, output).expect("a plan view")
 }
 
 fn picture(size: [usize; 2], samples: usize, triangles: &[[[f64; 3]; 3]]) -> Film {

@@ -3,14 +3,16 @@
 //! The view is orthographic with one unit per pixel, x to the right and y up, the origin in the lower left
 //! corner of the picture, higher z nearer. Surfaces show their colour as it is.
 
+mod support;
+
 use glam::{DVec3, Vec3, Vec4};
 use immerse::{
     render::{
-        Camera, Extent, Field, FieldValues, Film, Lights, Lines, Look, Material, Output, Paint, Pattern, Plane,
-        Scenery, render,
+        Camera, Field, FieldValues, Film, Lights, Lines, Look, Material, Output, Paint, Pattern, Plane, Scenery, render,
     },
-    scene::{CameraSection, PatternKind},
+    scene::PatternKind,
 };
+use support::plan_view;
 
 const RED: Vec3 = Vec3::new(0.5, 0.0, 0.0);
 const BLUE: Vec3 = Vec3::new(0.0, 0.0, 0.5);
@@ -33,18 +35,6 @@ fn unlit() -> Look {
 /// As thick as this from every direction.
 fn glass(opacity: f32) -> Look {
     Look { opacity: [opacity; 2], edge_opacity: opacity, ..unlit() }
-}
-
-fn plan_view(output: &Output) -> Camera {
-    let extent = Extent::of(&[DVec3::ZERO, DVec3::new(output.width() as f64, output.height() as f64, 0.0)]);
-    let section = CameraSection {
-        direction: Some([0.0, 0.0, 1.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        field_of_view: Some(0.0),
-        fill: Some(1.0),
-        ..CameraSection::default()
-    };
-    Camera::framing(&section, &extent, output).expect("a plan view")
 }
 
 #[derive(Default)]

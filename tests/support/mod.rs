@@ -4,7 +4,8 @@
 use glam::{DQuat, DVec3};
 use immerse::mesh::{FaceId, HalfedgeId, Mesh, Surface};
 use immerse::metric::Metric;
-use immerse::scene::Scene;
+use immerse::render::{Camera, Extent};
+use immerse::scene::{CameraSection, Scene};
 use immerse::spin::Strip;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -202,4 +203,17 @@ pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     let Output { status, stdout, stderr } = output.expect("the program starts");
     let text = |bytes| String::from_utf8(bytes).expect("text");
     (status.code().expect("an exit code"), text(stdout), text(stderr))
+}
+
+/// One unit per pixel, x to the right and y up, the origin in the lower left corner of the picture, higher z nearer.
+pub fn plan_view(output: &immerse::render::Output) -> Camera {
+    let extent = Extent::of(&[DVec3::ZERO, DVec3::new(output.width() as f64, output.height() as f64, 0.0)]);
+    let section = CameraSection {
+        direction: Some([0.0, 0.0, 1.0]),
+        up: Some([0.0, 1.0, 0.0]),
+        field_of_view: Some(0.0),
+        fill: Some(1.0),
+        ..CameraSection::default()
+    };
+    Camera::framing(&section, &extent, output).expect("a plan view")
 }
