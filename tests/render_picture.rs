@@ -1,5 +1,7 @@
 //! Whole pictures: light that is known, files that are read back, input that is broken.
 
+mod support;
+
 use std::f64::consts::TAU;
 
 use glam::{DVec3, Vec3};
@@ -7,6 +9,7 @@ use immerse::{
     render::{Camera, Extent, Film, Lights, Lines, Look, Material, Output, Paint, RenderError, Scenery, render},
     scene::{CameraSection, LightSection, LookSection, OutputSection},
 };
+use support::from_above;
 
 /// A torus of revolution around y.
 fn torus(columns: u32, rows: u32) -> (Vec<DVec3>, Vec<[u32; 3]>) {
@@ -106,14 +109,7 @@ fn a_sheet_throws_a_shadow_on_the_sheet_behind_it() {
     let positions: Vec<DVec3> = quad(-2.0, 2.0, 0.0).into_iter().chain(quad(-0.5, 0.5, 1.0)).collect();
     let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
     let output = Output::new(120, 120, 4).expect("a size");
-    let section = CameraSection {
-        direction: Some([0.0, 0.0, 1.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        field_of_view: Some(0.0),
-        fill: Some(1.0),
-        ..CameraSection::default()
-    };
-    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let camera = Camera::framing(&from_above(1.0), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let look = Look { occlusion_reach: 0.0, ..Look::default() };
     let film = render(&scenery, &camera, &Lights::default(), &look, &output).expect("a picture");
@@ -129,14 +125,7 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
     let positions: Vec<DVec3> = quad(0.0).into_iter().chain(upright).chain(rim).collect();
     let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6]];
     let output = Output::new(240, 240, 8).expect("a size");
-    let section = CameraSection {
-        direction: Some([0.0, 0.0, 1.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        field_of_view: Some(0.0),
-        fill: Some(0.9),
-        ..CameraSection::default()
-    };
-    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let camera = Camera::framing(&from_above(0.9), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery {
         triangles: &triangles,
         positions: &positions,

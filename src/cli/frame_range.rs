@@ -58,11 +58,7 @@ impl FromStr for Span {
 
     fn from_str(text: &str) -> Result<Self, FrameRangeError> {
         let not_a_range = || FrameRangeError::NotARange(text.to_owned());
-        let number = |digits: &str| {
-            // `parse` alone would take a sign.
-            let plain = digits.bytes().all(|b| b.is_ascii_digit());
-            plain.then(|| digits.parse::<usize>().ok()).flatten().ok_or_else(not_a_range)
-        };
+        let number = |digits: &str| number(digits).ok_or_else(not_a_range);
         let (span, step) = match text.split_once(':') {
             Some((span, step)) if span.contains('-') => (span, number(step)?),
             Some(_) => return Err(not_a_range()),
@@ -81,6 +77,11 @@ impl FromStr for Span {
         }
         Ok(Span { frames: first..=last, step })
     }
+}
+
+/// A number of digits alone: `parse` would also take a sign.
+pub(super) fn number(digits: &str) -> Option<usize> {
+    digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok()).flatten()
 }
 
 impl FrameRange {

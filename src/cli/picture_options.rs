@@ -2,8 +2,10 @@
 
 use std::str::FromStr;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
+use super::frame_range::number;
 use super::{FrameRange, FrameRangeError};
 use crate::scene::{AnimationFormat, LookName, LookSection, Scene};
 
@@ -14,8 +16,8 @@ pub(super) struct PictureOptions {
     #[arg(long, value_name = "RANGE", help_heading = HEADING)]
     frames: Option<FrameRange>,
     /// A named look in place of the scene's [look]
-    #[arg(long, value_name = "NAME", help_heading = HEADING)]
-    look: Option<NamedLook>,
+    #[arg(long, value_name = "NAME", value_parser = look_names(), help_heading = HEADING)]
+    look: Option<LookName>,
     /// Size of pictures in pixels, as in 1920x1080; makes whole pictures unless --crop is given
     #[arg(long, value_name = "WxH", help_heading = HEADING)]
     size: Option<Size>,
@@ -38,9 +40,9 @@ const HEADING: &str = "Pictures";
 impl PictureOptions {
     /// Writes what was typed into the scene, and gives the frames that are wanted.
     pub fn apply(&self, scene: &mut Scene) -> Result<Vec<usize>, FrameRangeError> {
-        if let Some(look) = self.look {
+        if let Some(preset) = self.look {
             // Colours and patterns of the scene would spoil another look, so nothing of its own stays.
-            scene.look = LookSection { preset: look.name(), ..LookSection::default() };
+            scene.look = LookSection { preset, ..LookSection::default() };
         }
         let output = &mut scene.output;
         if let Some(Size(size)) = self.size {
@@ -65,27 +67,11 @@ impl PictureOptions {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum NamedLook {
-    Studio,
-    Clay,
-    Soap,
-    Bands,
-    Blueprint,
-    Error,
-}
-
-impl NamedLook {
-    fn name(self) -> LookName {
-        match self {
-            NamedLook::Studio => LookName::Studio,
-            NamedLook::Clay => LookName::Clay,
-            NamedLook::Soap => LookName::Soap,
-            NamedLook::Bands => LookName::Bands,
-            NamedLook::Blueprint => LookName::Blueprint,
-            NamedLook::Error => LookName::Error,
-        }
-    }
+/// Takes the names of looks in scene files.
+fn look_names() -> impl TypedValueParser<Value = LookName> {
+    let look = |name: String| LookName::ALL.into_iter().find(|(known, _)| *known == name);
+    PossibleValuesParser::new(LookName::ALL.map(|(name, _)| name))
+        .map(move |name| look(name).map_or(LookName::default(), |(_, look)| look))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -128,7 +114,8 @@ impl FromStr for Size {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let sides = text.split_once('x').and_then(|(width, height)| Some([number(width)?, number(height)?]));
+        let sides =
+            text.split_once('x').and_then(|(width, height)| Some([number(width.trim())?, number(height.trim())?]));
         sides.map(Size).ok_or("this is no size; write width and height like 1920x1080")
     }
 }
@@ -141,14 +128,9 @@ impl FromStr for Crop {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let numbers: Option<Vec<usize>> = text.replace('x', ",").split(',').map(number).collect();
+        let numbers: Option<Vec<usize>> =
+            text.replace('x', ",").split(',').map(|digits| number(digits.trim())).collect();
         let window = numbers.and_then(|numbers| <[usize; 4]>::try_from(numbers).ok());
         window.map(Crop).ok_or("this is no part of a picture; write x, y, width and height like 100,50,640x480")
     }
-}
-
-/// `parse` alone would take a sign.
-fn number(digits: &str) -> Option<usize> {
-    let digits = digits.trim();
-    digits.bytes().all(|b| b.is_ascii_digit()).then(|| digits.parse().ok()).flatten()
 }

@@ -106,9 +106,7 @@ fn set_up(scene: &Scene) -> Result<Simulation, PipelineError> {
 
 /// Shows an error where the scene names what is at fault.
 fn complaint(scene: &Scene, key: &str, message: &str) -> PipelineError {
-    // Messages end with what to do.
-    let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
-    scene.complain(key, reason, remedy).into()
+    scene.complain_of(key, message).into()
 }
 
 /// An error of a running simulation, shown where the scene names what is at fault, if it does.

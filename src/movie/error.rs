@@ -51,10 +51,9 @@ impl MovieError {
         }
     }
 
-    /// An error shown where the scene names what is at fault. Messages end with what to do.
+    /// An error shown where the scene names what is at fault.
     pub(super) fn of_scene(scene: &Scene, key: &str, message: &str) -> MovieError {
-        let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
-        MovieError::Scene(SceneErrors::Mistakes(vec![scene.complain(key, reason, remedy)]))
+        MovieError::Scene(SceneErrors::Mistakes(vec![scene.complain_of(key, message)]))
     }
 
     /// A file that could not be written.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::{MovieError, Plan, coordinates::Chart, plan::parameters};
 use crate::{
+    algebra::Complex,
     cache::{Cache, FrameState},
     evolve::phases_from_scene,
     immersion::{FieldInput, FieldValues, Fields},
@@ -79,8 +80,9 @@ impl Measures {
 
     /// The fields of a frame.
     pub fn at(&self, mesh: &Mesh, state: &FrameState) -> Result<Quantities, MovieError> {
+        let basis = self.basis(mesh, state)?;
         let field =
-            |name: FieldName| Ok::<_, MovieError>(self.values(mesh, name, state)?.map(|of| Field::new(name, of)));
+            |name: FieldName| Ok::<_, MovieError>(self.values(&basis, name, state)?.map(|of| Field::new(name, of)));
         Ok(Quantities {
             color: self.color.map(field).transpose()?.flatten(),
             along: match &self.along {
@@ -94,14 +96,15 @@ impl Measures {
     /// How the values of a frame are spread, as far as the look depends on it.
     pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &FrameState) -> Result<Spreads, MovieError> {
         let mut spreads = Spreads::default();
+        let basis = self.basis(mesh, state)?;
         let is_free = plan.scene.look.color.as_ref().is_none_or(|color| color.range.is_none() || color.legend);
         if let Some(name) = self.color.filter(|_| is_free)
-            && let Some(values) = self.values(mesh, name, state)?
+            && let Some(values) = self.values(&basis, name, state)?
         {
             spreads.color.add(&values);
         }
         if let Along::Field(name, _) = self.along
-            && let Some(values) = self.values(mesh, name, state)?
+            && let Some(values) = self.values(&basis, name, state)?
         {
             spreads.along.add(&values);
         }
@@ -129,14 +132,31 @@ impl Measures {
         (look, legend)
     }
 
-    fn values(&self, mesh: &Mesh, name: FieldName, state: &FrameState) -> Result<Option<FieldValues>, MovieError> {
-        let Some(fields) = &self.fields else { return Ok(None) };
-        let metric = metric(mesh, state)?;
-        let transports = state.transport.iter().map(|&[re, im]| crate::algebra::Complex { re, im }).collect();
-        let spin = SpinStructure::from_transports(transports);
-        let input = FieldInput { metric: &metric, positions: &state.positions, frames: &state.frames, spin: &spin };
+    /// What the fields of a frame are computed from, if any are asked for.
+    fn basis(&self, mesh: &Mesh, state: &FrameState) -> Result<Option<Basis>, MovieError> {
+        if self.fields.is_none() {
+            return Ok(None);
+        }
+        let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
+        Ok(Some(Basis { metric: metric(mesh, state)?, spin: SpinStructure::from_transports(transports) }))
+    }
+
+    fn values(
+        &self,
+        basis: &Option<Basis>,
+        name: FieldName,
+        state: &FrameState,
+    ) -> Result<Option<FieldValues>, MovieError> {
+        let (Some(fields), Some(Basis { metric, spin })) = (&self.fields, basis) else { return Ok(None) };
+        let input = FieldInput { metric, positions: &state.positions, frames: &state.frames, spin };
         fields.of(name, &input).map(Some).map_err(|error| damaged(error.to_string()))
     }
+}
+
+/// What the frame on disk says of its metric.
+struct Basis {
+    metric: Metric,
+    spin: SpinStructure,
 }
 
 fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {

@@ -19,8 +19,8 @@ pub struct Field {
 impl Field {
     /// A field of a frame.
     pub fn new(field: FieldName, values: FieldValues) -> Field {
-        let [name, _, unit] = description(field);
-        Field { name: name.to_owned(), unit, values, period: None }
+        let [_, unit] = description(field);
+        Field { name: field.name().to_owned(), unit, values, period: None }
     }
 
     /// Values at the corners of a triangle of the scenery. Corners of a periodic field are within half a
@@ -45,16 +45,16 @@ impl Field {
     }
 }
 
-/// Name in scene files, words for a legend, and unit.
-pub(super) fn description(field: FieldName) -> [&'static str; 3] {
+/// Words for a legend, and unit.
+pub(super) fn description(field: FieldName) -> [&'static str; 2] {
     match field {
-        FieldName::LengthError => ["length_error", "length error", "%"],
-        FieldName::GaussianCurvature => ["gaussian_curvature", "Gaussian curvature", ""],
-        FieldName::MeanCurvature => ["mean_curvature", "mean curvature", ""],
-        FieldName::ConformalFactor => ["conformal_factor", "log conformal factor", ""],
-        FieldName::EnergyDensity => ["energy_density", "energy density", ""],
-        FieldName::BendingAngle => ["bending_angle", "bending angle", "°"],
-        FieldName::Generators => ["generators", "generator", ""],
+        FieldName::LengthError => ["length error", "%"],
+        FieldName::GaussianCurvature => ["Gaussian curvature", ""],
+        FieldName::MeanCurvature => ["mean curvature", ""],
+        FieldName::ConformalFactor => ["log conformal factor", ""],
+        FieldName::EnergyDensity => ["energy density", ""],
+        FieldName::BendingAngle => ["bending angle", "°"],
+        FieldName::Generators => ["generator", ""],
     }
 }
 

@@ -12,7 +12,7 @@
 use glam::{Vec3, Vec4};
 
 use super::{
-    raster::{Canvas, Region},
+    raster::{Region, Target},
     tile::{NOTHING, SampleTile},
 };
 
@@ -81,7 +81,7 @@ impl<'a, const S: usize> Gatherer<'a, S> {
     }
 }
 
-impl<const S: usize> Canvas<S> for Gatherer<'_, S> {
+impl<const S: usize> Target<S> for Gatherer<'_, S> {
     fn begin(&mut self, id: u32) {
         self.drawing = id;
     }

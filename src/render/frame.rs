@@ -11,7 +11,7 @@ use super::{
     layers::LayerBuilder,
     lines::tubes,
     project::ScreenTriangle,
-    raster::{Canvas, Region, draw},
+    raster::{Region, Target, draw},
     samples::SamplePattern,
     shade::Shader,
     stage::Stage,
@@ -48,10 +48,10 @@ pub fn render(
     let visibility = Visibility::new(&stage, lights, look);
     let shader = Shader { scenery, stage: &stage, visibility: &visibility, camera, lights, look, output };
     let mut film = match output.samples() {
-        1 => Frame::<1>::new(scenery, tubes, shader).film(),
-        4 => Frame::<4>::new(scenery, tubes, shader).film(),
-        8 => Frame::<8>::new(scenery, tubes, shader).film(),
-        _ => Frame::<16>::new(scenery, tubes, shader).film(),
+        1 => Frame::<1>::new(tubes, shader).film(),
+        4 => Frame::<4>::new(tubes, shader).film(),
+        8 => Frame::<8>::new(tubes, shader).film(),
+        _ => Frame::<16>::new(tubes, shader).film(),
     };
     if let Some(ground) = scenery.ground
         && look.ground_shadow > 0.0
@@ -63,7 +63,6 @@ pub fn render(
 
 /// What tiles of S samples per pixel are made from.
 struct Frame<'a, const S: usize> {
-    scenery: &'a Scenery<'a>,
     tiles: Tiles,
     /// In the order of the triangles.
     batches: Vec<Batch>,
@@ -103,15 +102,15 @@ struct Pixels {
 }
 
 impl<'a, const S: usize> Frame<'a, S> {
-    fn new(scenery: &'a Scenery<'a>, tubes: Vec<ScreenTube>, shader: Shader<'a>) -> Self {
-        let (stage, pattern) = (shader.stage, SamplePattern::new());
+    fn new(tubes: Vec<ScreenTube>, shader: Shader<'a>) -> Self {
+        let Shader { scenery, stage, .. } = shader;
+        let pattern = SamplePattern::new();
         let tiles = Tiles::new(TILE, MARGIN, shader.output);
         Self {
             batches: batches(scenery, stage, &tiles),
             tube_bins: Bins::new(tubes.iter().map(ScreenTube::pixels), &tiles),
             gaps: Gaps::new(shader.look.pattern, stage, scenery.positions),
             filter: Filter::new(&pattern),
-            scenery,
             tiles,
             tubes,
             pattern,
@@ -167,15 +166,15 @@ impl<'a, const S: usize> Frame<'a, S> {
     }
 
     /// Draws what of a tile's triangles lies in a region, in their order.
-    fn draw_triangles(&self, tile: usize, region: &Region, canvas: &mut impl Canvas<S>) {
+    fn draw_triangles(&self, tile: usize, region: &Region, target: &mut impl Target<S>) {
         for batch in &self.batches {
             for &index in batch.bins.of(tile) {
                 let triangle = &batch.triangles[index as usize];
                 match &self.gaps {
-                    None => draw(triangle, &self.pattern, region, canvas),
+                    None => draw(triangle, &self.pattern, region, target),
                     Some(gaps) => {
-                        let canvas = &mut gaps.over(canvas, triangle.id as usize, &self.pattern);
-                        draw(triangle, &self.pattern, region, canvas);
+                        let target = &mut gaps.over(target, triangle.id as usize, &self.pattern);
+                        draw(triangle, &self.pattern, region, target);
                     }
                 }
             }
@@ -284,7 +283,7 @@ impl<const S: usize> Frame<'_, S> {
             layers: None,
             skipped_triangles: self.shader.stage.skipped,
         };
-        let mut layers = output.has_layers().then(|| LayerBuilder::new(self.scenery, &self.shader));
+        let mut layers = output.has_layers().then(|| LayerBuilder::new(&self.shader));
         let rows_at_a_time = TILES_AT_A_TIME.div_ceil(columns);
         for first_row in (0..rows).step_by(rows_at_a_time) {
             let last_row = (first_row + rows_at_a_time).min(rows);

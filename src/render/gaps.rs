@@ -2,14 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Pattern, raster::Canvas, samples::SamplePattern, stage::Stage};
+use super::{Pattern, raster::Target, samples::SamplePattern, stage::Stage};
 use crate::scene::PatternKind;
-
-/// Whether the pattern leaves the surface out where the field that it runs along has this value.
-pub fn gap_at(pattern: &Pattern, value: f64) -> bool {
-    let place = value / f64::from(pattern.periods[0]);
-    pattern.kind == PatternKind::Bands && place - place.floor() >= 1.0 - f64::from(pattern.gap)
-}
 
 /// The gaps of a picture.
 pub struct Gaps<'a> {
@@ -25,22 +19,22 @@ impl<'a> Gaps<'a> {
         (!stage.along[0].is_empty()).then_some(Self { bands, stage, positions })
     }
 
-    /// A canvas that leaves out the gaps of a face.
+    /// A target that leaves out the gaps of a face.
     pub fn over<'c, C, const S: usize>(
         &self,
-        canvas: &'c mut C,
+        target: &'c mut C,
         face: usize,
         pattern: &'c SamplePattern<S>,
     ) -> Gapped<'c, C, S> {
         let corners = self.stage.faces[face].map(|vertex| self.positions[vertex as usize]);
         let [value, scale] = self.stage.projection.seen_values(corners, self.stage.along[0][face]);
-        Gapped { canvas, pattern, bands: self.bands, value, scale }
+        Gapped { target, pattern, bands: self.bands, value, scale }
     }
 }
 
-/// A canvas that is not covered where the gaps of a face are.
+/// A target that is not covered where the gaps of a face are.
 pub struct Gapped<'c, C, const S: usize> {
-    canvas: &'c mut C,
+    target: &'c mut C,
     pattern: &'c SamplePattern<S>,
     bands: Pattern,
     /// Planes in pixels of value / w and of 1 / w.
@@ -48,13 +42,13 @@ pub struct Gapped<'c, C, const S: usize> {
     scale: [f64; 3],
 }
 
-impl<C: Canvas<S>, const S: usize> Canvas<S> for Gapped<'_, C, S> {
+impl<C: Target<S>, const S: usize> Target<S> for Gapped<'_, C, S> {
     fn begin(&mut self, id: u32) {
-        self.canvas.begin(id);
+        self.target.begin(id);
     }
 
     fn hides(&mut self, x: i32, y: i32, nearest: f32) -> bool {
-        self.canvas.hides(x, y, nearest)
+        self.target.hides(x, y, nearest)
     }
 
     fn cover(&mut self, x: i32, y: i32, mut outside: [i32; S], depth: [f32; S]) {
@@ -65,10 +59,10 @@ impl<C: Canvas<S>, const S: usize> Canvas<S> for Gapped<'_, C, S> {
             let place = self.pattern.place(sample);
             let at = [f64::from(x) + f64::from(place[0]), f64::from(y) + f64::from(place[1])];
             let seen = |plane: &[f64; 3]| plane[0] + plane[1] * at[0] + plane[2] * at[1];
-            if gap_at(&self.bands, seen(&self.value) / seen(&self.scale)) {
+            if self.bands.is_gap(seen(&self.value) / seen(&self.scale)) {
                 *outside = -1;
             }
         }
-        self.canvas.cover(x, y, outside, depth);
+        self.target.cover(x, y, outside, depth);
     }
 }

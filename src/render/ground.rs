@@ -61,7 +61,7 @@ impl Ground {
         if shader.stage.faces.is_empty() || (eye - origin).dot(normal) <= 0.0 && sight.dot(normal) >= 0.0 {
             return None;
         }
-        let occluder = Occluder::new(shader.stage);
+        let occluder = shader.visibility.occluder();
         let axes = tangents(normal);
         let mut ground = Self { origin, normal, axes, darkness: Vec::new() };
         let key = shader.lights.0.iter().find(|light| light.shadow).map(|light| {
@@ -72,7 +72,7 @@ impl Ground {
         let darkness: Vec<f32> = (0..SIDE * SIDE)
             .into_par_iter()
             .with_min_len(SIDE)
-            .map(|texel| ground.darkness_of(texel, &occluder, key, &points))
+            .map(|texel| ground.darkness_of(texel, occluder, key, &points))
             .collect();
         ground.darkness = blurred(&blurred(&darkness));
         Some(ground)

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2, Vec3, Vec3A};
 
 use super::{
-    Layers, Scenery,
+    Layers,
     frame::Seen,
     shade::Shader,
     tile::{FIRST_TUBE, NOTHING},
@@ -11,15 +11,14 @@ use super::{
 
 /// Layers in the making, row by row.
 pub struct LayerBuilder<'a> {
-    scenery: &'a Scenery<'a>,
     shader: &'a Shader<'a>,
     layers: Layers,
 }
 
 impl<'a> LayerBuilder<'a> {
-    pub fn new(scenery: &'a Scenery, shader: &'a Shader) -> Self {
-        let fields = scenery.fields.iter().map(|field| (field.name.clone(), Vec::new())).collect();
-        Self { scenery, shader, layers: Layers { fields, ..Layers::default() } }
+    pub fn new(shader: &'a Shader) -> Self {
+        let fields = shader.scenery.fields.iter().map(|field| (field.name.clone(), Vec::new())).collect();
+        Self { shader, layers: Layers { fields, ..Layers::default() } }
     }
 
     /// Adds the pixels of a row that begins at x, y.
@@ -38,7 +37,7 @@ impl<'a> LayerBuilder<'a> {
     }
 
     fn push_surface(&mut self, face: usize, at: [f32; 2]) {
-        let (scenery, stage) = (self.scenery, self.shader.stage);
+        let Shader { scenery, stage, .. } = *self.shader;
         let (_, weights) = stage.sight(face, at);
         let corners = stage.faces[face];
         let triangle = stage.triangles[face] as usize;

@@ -39,7 +39,7 @@ const HAIRLINE: f32 = 0.4;
 impl Legend {
     /// For a field in these colours; `extremes` are its least and greatest value.
     pub fn new(field: FieldName, map: ColorMap, range: [f32; 2], extremes: Option<[f32; 2]>) -> Legend {
-        let [_, title, unit] = description(field);
+        let [title, unit] = description(field);
         // What differs by less than a ten thousandth of the range is not beyond it.
         let slack = 1e-4 * (range[1] - range[0]);
         let beyond =

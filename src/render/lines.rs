@@ -97,16 +97,16 @@ impl Pen<'_> {
 
     /// Whether the curve in which two triangles cross lies in no see-through gap of either.
     fn is_solid(&self, crossing: &Crossing) -> bool {
-        let (Some(pattern), Some(field)) = (&self.look.pattern, self.scenery.along[0]) else { return true };
+        let Some(pattern) = &self.look.pattern else { return true };
         let middle = (crossing.ends[0] + crossing.ends[1]) / 2.0;
         crossing.triangles.iter().all(|&face| {
-            let corners = self.stage.faces[face];
-            let values = field.at_corners(self.stage.triangles[face] as usize, corners);
-            let [a, b, c] = corners.map(|vertex| self.scenery.positions[vertex as usize]);
+            let Some(values) = self.stage.along[0].get(face) else { return true };
+            let [a, b, c] = self.stage.faces[face].map(|vertex| self.scenery.positions[vertex as usize]);
             let normal = (b - a).cross(c - a);
             let share =
                 |p: DVec3, q: DVec3| ((p - middle).cross(q - middle).dot(normal) / normal.length_squared()) as f32;
-            !pattern.is_gap(values[0] * share(b, c) + values[1] * share(c, a) + values[2] * share(a, b))
+            let value = values[0] * share(b, c) + values[1] * share(c, a) + values[2] * share(a, b);
+            !pattern.is_gap(f64::from(value))
         })
     }
 

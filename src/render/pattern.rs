@@ -42,19 +42,17 @@ impl Pattern {
         }
     }
 
-    /// Whether a place belongs to a see-through gap.
-    pub fn is_gap(&self, along: f32) -> bool {
-        let place = along / self.periods[0];
-        self.kind == PatternKind::Bands && place - place.floor() >= 1.0 - self.gap
+    /// Whether the surface is left out where the field that the pattern runs along has this value.
+    pub fn is_gap(&self, along: f64) -> bool {
+        let place = along / f64::from(self.periods[0]);
+        self.kind == PatternKind::Bands && place - place.floor() >= 1.0 - f64::from(self.gap)
     }
-}
 
-impl Pattern {
     /// Parts, from 0 to 1, of a segment between two values that are no gaps.
     pub fn solid_parts(&self, [from, to]: [f32; 2]) -> Vec<[f32; 2]> {
         let (from, to) = (from / self.periods[0], to / self.periods[0]);
         if self.kind != PatternKind::Bands || from == to {
-            return if self.is_gap(from * self.periods[0]) { Vec::new() } else { vec![[0.0, 1.0]] };
+            return if self.is_gap(f64::from(from * self.periods[0])) { Vec::new() } else { vec![[0.0, 1.0]] };
         }
         let part = |value: f32| ((value - from) / (to - from)).clamp(0.0, 1.0);
         let bands = from.min(to).floor() as i64..=from.max(to).floor() as i64;

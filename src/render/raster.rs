@@ -65,7 +65,7 @@ impl Region {
 }
 
 /// What triangles are drawn on.
-pub trait Canvas<const S: usize> {
+pub trait Target<const S: usize> {
     /// Says which face is drawn next.
     fn begin(&mut self, id: u32);
     /// Whether nothing as near as this, or farther, can be seen in the block that begins at a pixel.
@@ -80,18 +80,18 @@ pub fn draw<const S: usize>(
     triangle: &ScreenTriangle,
     pattern: &SamplePattern<S>,
     region: &Region,
-    canvas: &mut impl Canvas<S>,
+    target: &mut impl Target<S>,
 ) {
     let [across, down] = triangle.bounds();
     let touched = Region { x: [across[0], across[1] + 1], y: [down[0], down[1] + 1] };
     let Some(part) = touched.common(region) else { return };
-    canvas.begin(triangle.id);
+    target.begin(triangle.id);
     let outline = Outline::new(triangle, pattern);
     let plane = Plane::new(triangle, pattern);
     if touched.width().max(touched.height()) <= SMALL {
         let origin = [touched.x[0], touched.y[0]];
         let start = [outline.at(0, origin) as i32, outline.at(1, origin) as i32, outline.at(2, origin) as i32];
-        outline.fill(start, &plane.seen_from(origin), origin, &part, canvas);
+        outline.fill(start, &plane.seen_from(origin), origin, &part, target);
         return;
     }
     let first = [part.x[0].div_euclid(BLOCK) * BLOCK, part.y[0].div_euclid(BLOCK) * BLOCK];
@@ -101,10 +101,10 @@ pub fn draw<const S: usize>(
             let Some(block_part) = block.common(&part) else { continue };
             let Some((crossing, start)) = outline.in_block([x, y]) else { continue };
             let depth = plane.seen_from([x, y]);
-            if canvas.hides(x, y, depth.nearest_in_block()) {
+            if target.hides(x, y, depth.nearest_in_block()) {
                 continue;
             }
-            crossing.fill(start, &depth, [x, y], &block_part, canvas);
+            crossing.fill(start, &depth, [x, y], &block_part, target);
         }
     }
 }
@@ -179,7 +179,7 @@ impl<const S: usize> Outline<S> {
         depth: &SeenPlane<S>,
         origin: [i32; 2],
         region: &Region,
-        canvas: &mut impl Canvas<S>,
+        target: &mut impl Target<S>,
     ) {
         for y in region.y[0]..region.y[1] {
             let (to_down, to_right) = ((y - origin[1]) * STEPS, (region.x[0] - origin[0]) * STEPS);
@@ -189,7 +189,7 @@ impl<const S: usize> Outline<S> {
             }
             for x in region.x[0]..region.x[1] {
                 let outside = lanes::outside(value, &self.to_samples);
-                canvas.cover(x, y, outside, depth.at(x - origin[0], y - origin[1]));
+                target.cover(x, y, outside, depth.at(x - origin[0], y - origin[1]));
                 for (value, right) in value.iter_mut().zip(self.right) {
                     // Wraps only past the last pixel.
                     *value = value.wrapping_add(right * STEPS);

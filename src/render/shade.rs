@@ -30,8 +30,6 @@ pub struct Shaded {
     pub color: Vec3,
     /// Share of what is behind that it hides.
     pub opacity: f32,
-    /// Unit normal in view space, on the front of the surface.
-    pub normal: Vec3A,
 }
 
 /// Edges shorter than these many pixels fade, and are not drawn.
@@ -70,14 +68,14 @@ impl Shader<'_> {
             lit.leaving(&self.look.material, seen)
         };
         if self.look.is_opaque() && self.look.wireframe == 0.0 {
-            return Shaded { color: leaving.body + leaving.highlight, opacity: 1.0, normal: side_normal(normal, side) };
+            return Shaded { color: leaving.body + leaving.highlight, opacity: 1.0 };
         }
         // A thin sheet lets its own colour through, not its highlights.
         let sheet = self.opacity(side, normal.dot(toward_eye));
         let opacity = sheet + (1.0 - sheet) * leaving.cover;
         let color = (leaving.body * sheet + leaving.highlight) / opacity.max(1e-6);
         let (color, opacity) = self.with_wires(color, opacity, corners, at);
-        Shaded { color, opacity, normal: side_normal(normal, side) }
+        Shaded { color, opacity }
     }
 
     /// Shades a line at a place in pixels.
@@ -88,7 +86,7 @@ impl Shader<'_> {
             Stroke::Rim => self.raised_line(self.look.lines.rim_color, normal),
             Stroke::Pin => self.raised_line(self.look.lines.pin_color, normal),
         };
-        Shaded { color, opacity: 1.0, normal }
+        Shaded { color, opacity: 1.0 }
     }
 
     /// A lit tube.
@@ -113,8 +111,8 @@ impl Shader<'_> {
     /// The colour with checkers, grids and iso-lines.
     fn patterned(&self, albedo: Vec3, face: usize, at: [f32; 2]) -> Vec3 {
         let Some(pattern) = &self.look.pattern else { return albedo };
-        let [along, across] = self.scenery.along.map(|field| {
-            let corners = field?.at_corners(self.stage.triangles[face] as usize, self.stage.faces[face]);
+        let [along, across] = self.stage.along.each_ref().map(|values| {
+            let corners = values.get(face)?;
             let value = |at: [f32; 2]| {
                 let weights = self.stage.weights_in_plane(face, at);
                 (0..3).map(|k| corners[k] * weights[k]).sum::<f32>()

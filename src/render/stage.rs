@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec2, Vec3A};
 use rayon::prelude::*;
 
-use super::{Camera, Field, Look, Output, Scenery, gaps::gap_at, project::Projection};
+use super::{Camera, Field, Look, Output, Scenery, project::Projection};
 
 /// The drawable part of a surface in stage space: axes as in view space, the origin in the middle of
 /// what the camera frames, and the framed radius as the unit of length.
@@ -118,7 +118,7 @@ impl Stage {
         };
         let along = scenery.along.map(at_corners);
         let is_blocking = |face: &u32| match (look.pattern, along[0].get(*face as usize)) {
-            (Some(pattern), Some(values)) => !gap_at(&pattern, f64::from(values.iter().sum::<f32>() / 3.0)),
+            (Some(pattern), Some(values)) => !pattern.is_gap(f64::from(values.iter().sum::<f32>() / 3.0)),
             _ => true,
         };
         Self {

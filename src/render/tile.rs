@@ -2,7 +2,7 @@
 
 use super::{
     lanes::{self, take_nearer},
-    raster::{BLOCK, Canvas, Region},
+    raster::{BLOCK, Region, Target},
     samples::SamplePattern,
     tube::ScreenTube,
 };
@@ -87,7 +87,7 @@ impl<const S: usize> SampleTile<S> {
 }
 
 /// Of two primitives at the same depth the first one drawn stays.
-impl<const S: usize> Canvas<S> for SampleTile<S> {
+impl<const S: usize> Target<S> for SampleTile<S> {
     #[inline(always)]
     fn begin(&mut self, id: u32) {
         self.drawing = id;

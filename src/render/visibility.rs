@@ -59,7 +59,7 @@ impl Visibility {
         let lit = look.material != Material::Flat;
         let occlusion = lit && look.occlusion > 0.0 && look.occlusion_reach > 0.0;
         let shadows = lit && look.shadows && lights.0.iter().any(|light| light.shadow);
-        if !occlusion && !shadows {
+        if !occlusion && !shadows && look.ground_shadow == 0.0 {
             let sky = [Vec::new(), Vec::new()];
             return Self { occluder: Occluder::none(), sky, shade: Vec::new(), shadow_points: Vec::new() };
         }
@@ -78,6 +78,11 @@ impl Visibility {
             visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
         }
         visibility
+    }
+
+    /// What is in the way of light, if the look wants to know.
+    pub fn occluder(&self) -> &Occluder {
+        &self.occluder
     }
 
     /// Share of the sky seen from one side (0 front, 1 back) of a place between vertices.

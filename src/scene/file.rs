@@ -65,6 +65,12 @@ impl Scene {
         self.source.complain(key, reason.into(), remedy.into())
     }
 
+    /// As [`Scene::complain`], of a message that ends with what to do, after its last semicolon.
+    pub fn complain_of(&self, key: &str, message: &str) -> SceneError {
+        let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
+        self.complain(key, reason, remedy)
+    }
+
     /// A path of the scene, seen from the working folder.
     pub fn resolve(&self, path: &Path) -> PathBuf {
         self.folder.join(path)

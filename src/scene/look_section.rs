@@ -1,7 +1,7 @@
 //! `[look]`.
 
 use super::data::*;
-use super::picture_sections::{FIELDS, not_zero};
+use super::picture_sections::not_zero;
 use super::table::Table;
 use super::value::Color;
 
@@ -80,7 +80,7 @@ fn pattern(table: &mut Table) -> PatternSection {
     let along = table
         .key::<String>("along", "\"parallels\", \"meridians\", a field, or a formula of the mesh's x, y and z.")
         .or("parallels".into());
-    let field = FIELDS.iter().find(|(name, _)| *name == along).map(|&(_, field)| field);
+    let field = FieldName::ALL.iter().find(|(name, _)| *name == along).map(|&(_, field)| field);
     let kind = table.choice("kind", "What is drawn.", &kinds).unwrap_or(PatternKind::Bands);
     let usual_gap = if matches!(kind, PatternKind::Bands | PatternKind::Checker) { 0.5 } else { 0.06 };
     PatternSection {
@@ -121,7 +121,7 @@ fn shown_field(table: &mut Table) -> ColorSection {
         table.complain("range", "the range is empty", "write the smaller value first, as in range = [0, 0.01]");
     }
     ColorSection {
-        field: table.choice("field", "Which quantity.", &FIELDS).unwrap_or(FieldName::LengthError),
+        field: table.choice("field", "Which quantity.", &FieldName::ALL).unwrap_or(FieldName::LengthError),
         map: table.choice("map", "The colours; left out, those that suit the field.", &maps),
         range,
         legend: table.key("legend", "Whether a legend is drawn.").or(true),

@@ -6,17 +6,6 @@ use super::table::Table;
 
 const MAX_PIXELS: f64 = 16_384.0;
 
-/// Names of fields in scene files.
-pub(super) const FIELDS: [(&str, FieldName); 7] = [
-    ("length_error", FieldName::LengthError),
-    ("gaussian_curvature", FieldName::GaussianCurvature),
-    ("mean_curvature", FieldName::MeanCurvature),
-    ("conformal_factor", FieldName::ConformalFactor),
-    ("energy_density", FieldName::EnergyDensity),
-    ("bending_angle", FieldName::BendingAngle),
-    ("generators", FieldName::Generators),
-];
-
 pub(super) fn camera(table: &mut Table) -> CameraSection {
     let camera = CameraSection {
         direction: table
@@ -121,6 +110,6 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
             .at_most(1000.0)
             .or(default.frame_rate),
         sheet: table.key("sheet", "Frames on a contact sheet of the film; 0 makes none.").at_most(400.0).or(0),
-        fields: table.choices("fields", "Fields of which EXR pictures have a layer.", &FIELDS, &[]),
+        fields: table.choices("fields", "Fields of which EXR pictures have a layer.", &FieldName::ALL, &[]),
     }
 }

@@ -205,15 +205,19 @@ pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     (status.code().expect("an exit code"), text(stdout), text(stderr))
 }
 
-/// One unit per pixel, x to the right and y up, the origin in the lower left corner of the picture, higher z nearer.
-pub fn plan_view(output: &immerse::render::Output) -> Camera {
-    let extent = Extent::of(&[DVec3::ZERO, DVec3::new(output.width() as f64, output.height() as f64, 0.0)]);
-    let section = CameraSection {
+/// Straight down the z axis, without perspective, of what fills this share of the picture.
+pub fn from_above(fill: f64) -> CameraSection {
+    CameraSection {
         direction: Some([0.0, 0.0, 1.0]),
         up: Some([0.0, 1.0, 0.0]),
         field_of_view: Some(0.0),
-        fill: Some(1.0),
+        fill: Some(fill),
         ..CameraSection::default()
-    };
-    Camera::framing(&section, &extent, output).expect("a plan view")
+    }
+}
+
+/// One unit per pixel, x to the right and y up, the origin in the lower left corner of the picture, higher z nearer.
+pub fn plan_view(output: &immerse::render::Output) -> Camera {
+    let extent = Extent::of(&[DVec3::ZERO, DVec3::new(output.width() as f64, output.height() as f64, 0.0)]);
+    Camera::framing(&from_above(1.0), &extent, output).expect("a plan view")
 }

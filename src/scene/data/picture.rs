@@ -125,6 +125,24 @@ pub enum FieldName {
     Generators,
 }
 
+impl FieldName {
+    /// All of them by the names they have in scene files.
+    pub const ALL: [(&'static str, FieldName); 7] = [
+        ("length_error", FieldName::LengthError),
+        ("gaussian_curvature", FieldName::GaussianCurvature),
+        ("mean_curvature", FieldName::MeanCurvature),
+        ("conformal_factor", FieldName::ConformalFactor),
+        ("energy_density", FieldName::EnergyDensity),
+        ("bending_angle", FieldName::BendingAngle),
+        ("generators", FieldName::Generators),
+    ];
+
+    /// The name in scene files.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, field)| *field == self).map_or("", |(name, _)| name)
+    }
+}
+
 impl Default for OutputSection {
     fn default() -> Self {
         Self {
