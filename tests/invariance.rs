@@ -207,7 +207,7 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
 fn relax(surface: &Surface) -> Frame {
     let scene = scene("[spin]\nclass = 'immersion'\n[start]\nfrom = 'mesh'");
     let mut simulation = Simulation::new(&scene, surface.clone()).expect("a simulation");
-    simulation.phases = default_phases();
+    simulation.phases = default_phases(surface.mesh.face_count());
     simulation.phases.truncate(4);
     for (k, phase) in simulation.phases.iter_mut().enumerate() {
         let accelerate = k == 3;

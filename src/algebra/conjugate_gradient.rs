@@ -15,6 +15,11 @@ pub struct SolveReport {
     pub converged: bool,
 }
 
+impl SolveReport {
+    /// Of a direct solve.
+    pub const DIRECT: SolveReport = SolveReport { iterations: 0, residual: 0.0, converged: true };
+}
+
 /// Vectors of a solve, kept between solves.
 #[derive(Clone, Debug, Default)]
 pub struct ConjugateGradient {

@@ -62,6 +62,13 @@ impl Phase {
         }
     }
 
+    /// What a step is taken with, of this length and after one that turned frames by so much. Far from the end a rough
+    /// solution of the linear system leads as far as an exact one.
+    pub(super) fn options(&self, dt: f64, turn: f64) -> StepOptions {
+        let looser = (turn / SETTLED_TURN).clamp(1.0, LOOSEST);
+        StepOptions { dt, solver_tolerance: self.step.solver_tolerance * looser, ..self.step }
+    }
+
     /// Whether the stage may end after a step of this length: one whose steps get longer as long as frames turn little
     /// has to go on until they get no longer.
     pub(super) fn may_settle(&self, dt: f64) -> bool {
@@ -76,60 +83,68 @@ const FASTER: f64 = 1.5;
 const SHORTEST_STEP: f64 = 0.1;
 const LONGEST_STEP: f64 = 1e3;
 
-/// The stages of a scene, or the default ones. Frames that start from positions are near to where they belong; they
-/// need only the last stage, and the stiffness of the earlier ones would iron out what the positions say.
-pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom) -> Vec<Phase> {
+/// The stages of a scene, or the default ones of a surface with so many faces. Frames that start from positions are near
+/// to where they belong; they need only the last stage, and the stiffness of the earlier ones would iron out what the
+/// positions say.
+pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom, faces: usize) -> Vec<Phase> {
     match start {
         _ if !sections.is_empty() => sections.iter().map(Phase::from_scene).collect(),
-        StartFrom::Random(_) | StartFrom::Spectral => default_phases(),
+        StartFrom::Random(_) | StartFrom::Spectral => default_phases(faces),
         StartFrom::Mesh | StartFrom::Mirror | StartFrom::File(_) => vec![Phase::from_scene(&PhaseSection::default())],
     }
 }
 
 /// The stages that work from random frames on spheres, tori of every class, disks and bunnies alike.
 ///
-/// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper: feedback comes in
-/// gradually, since a surface with periods collapses under full feedback while its frames are still random; periods
-/// are taken out on their own from the start; ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer
-/// does it (earlier they would only keep tangles from resolving), and the last two stages are accelerated. The
-/// second stage is the one that resolves rims, and gets the time it needs for that. The last three take shorter steps:
-/// under full feedback a surface comes to rest between one step of bending and one projection, so what is left of the
-/// length error is in proportion to Δt.
-pub fn default_phases() -> Vec<Phase> {
+/// As in Eq. 21 bending is stiff first and nearly free at last. What differs from the paper:
+///
+/// - All strains cost the same at first, which makes a step of any length one solve with one factorization
+///   ([`crate::frames::ConnectionLaplacian`]). Steps are in proportion to the area of the whole surface.
+/// - Feedback comes in gradually, since a surface with periods collapses under full feedback while its frames are
+///   still random; periods are taken out on their own from the start.
+/// - ε₁ ends at 10⁻⁴. Creases are held open from where bending no longer does it (earlier they would only keep tangles
+///   from resolving), and the last three stages are accelerated.
+///
+/// The second stage is the one that resolves rims, and gets the time it needs for that. The last ones take shorter
+/// steps: under full feedback a surface comes to rest between one step of bending and one projection, so what is left
+/// of the length error is in proportion to Δt.
+pub fn default_phases(faces: usize) -> Vec<Phase> {
     let shaping = PhaseSection { dt: 100.0, crease: 0.0, accelerate: false, ..PhaseSection::default() };
-    let settling = PhaseSection::default();
+    let bending = PhaseSection { dt: 30.0, tolerance: 0.1, max_steps: 100, ..PhaseSection::default() };
     [
         PhaseSection {
             epsilon: [1.0, 1.0, 1.0, 1.0],
+            dt: SMOOTHING_SHARE * faces as f64,
             feedback: 0.1,
             periods: 0.5,
-            tolerance: 0.3,
-            max_steps: 50,
+            tolerance: 2.0,
+            max_steps: 30,
             ..shaping.clone()
         },
         PhaseSection {
             epsilon: [1.0, 0.1, 1.0, 0.1],
             feedback: 0.5,
             periods: 0.5,
-            tolerance: 0.3,
-            max_steps: 50,
+            tolerance: 1.0,
+            max_steps: 20,
             untangle_steps: 350,
             ..shaping
         },
-        PhaseSection {
-            epsilon: [1.0, 1e-2, 1.0, 0.1],
-            accelerate: false,
-            tolerance: 0.03,
-            max_steps: 100,
-            ..settling.clone()
-        },
-        PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], tolerance: 0.01, max_steps: 100, ..settling.clone() },
-        PhaseSection { epsilon: [1.0, 1e-4, 1.0, 0.1], ..settling },
+        PhaseSection { epsilon: [1.0, 1e-2, 1.0, 0.1], ..bending.clone() },
+        PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], ..bending },
+        PhaseSection::default(),
     ]
     .iter()
     .map(Phase::from_scene)
     .collect()
 }
 
-/// A residual of one percent of the step itself: tighter solves did not save outer steps.
+/// Δt of the first stage as a share of the area of the surface.
+const SMOOTHING_SHARE: f64 = 1.0 / 28.0;
+
+/// Residual of a linear solve relative to that of standing still, where frames have nearly settled. Tighter solves did
+/// not save outer steps.
 const SOLVER_TOLERANCE: f64 = 1e-2;
+/// Mean turn per step in radians (0.1°) from which on solves become looser in proportion, and how much they do at most.
+const SETTLED_TURN: f64 = 0.1 / 180.0 * std::f64::consts::PI;
+const LOOSEST: f64 = 10.0;

@@ -25,6 +25,8 @@ pub struct Progress {
     pub settled: bool,
     /// L2 length error of the integrated surface.
     pub l2_length_error: f64,
+    /// Iterations of the linear solver in the last step.
+    pub inner_iterations: usize,
 }
 
 /// Told of every step; may stop the simulation.

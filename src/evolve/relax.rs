@@ -2,7 +2,8 @@
 
 use super::acceleration::Acceleration;
 use super::{Cursor, EvolveError, Observer, Phase, Progress, Simulation};
-use crate::frames::{Shell, StepOptions, random_frames};
+use crate::algebra::SolveReport;
+use crate::frames::{Shell, random_frames};
 use crate::immersion::*;
 use glam::{DQuat, DVec3};
 
@@ -48,13 +49,15 @@ impl Simulation {
         for taken in 1..=left {
             let before = self.frames.clone();
             let dt = if self.cursor.dt > 0.0 { self.cursor.dt } else { phase.step.dt };
-            let positions = self.step(phase, dt);
+            let (positions, solve) = self.step(phase, dt);
             self.cursor.step += 1;
             self.cursor.steps += 1;
             let turn = mean_turn(&self.parts.shell, &before, &self.frames);
             if !turn.is_finite() {
                 return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
             }
+            let l2_length_error = l2_length_error(&self.mesh, &self.metric, &positions);
+            let reached = self.is_accurate(l2_length_error, &positions);
             let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians && phase.may_settle(dt);
             let max_steps = self.patience(phase, &positions);
             let progress = Progress {
@@ -66,11 +69,17 @@ impl Simulation {
                 max_steps,
                 turn: turn.to_degrees(),
                 tolerance: phase.tolerance_radians.to_degrees(),
-                settled,
-                l2_length_error: l2_length_error(&self.mesh, &self.metric, &positions),
+                settled: settled || reached,
+                l2_length_error,
+                inner_iterations: solve.iterations,
             };
             if observer.after_step(&progress).is_break() {
                 return Err(EvolveError::Stopped { steps: self.cursor.steps });
+            }
+            self.cursor.turn = turn;
+            if reached {
+                self.cursor = Cursor { settled: true, ..self.cursor.at_start_of(self.phases.len()) };
+                return Ok(taken);
             }
             if settled || self.cursor.step >= max_steps {
                 self.cursor = Cursor { settled, ..self.cursor.at_start_of(self.cursor.phase + 1) };
@@ -84,6 +93,11 @@ impl Simulation {
             }
         }
         Ok(left)
+    }
+
+    /// Whether these positions are as close to the metric as the scene asks for, without rims.
+    fn is_accurate(&self, l2_length_error: f64, positions: &[DVec3]) -> bool {
+        self.accuracy.is_some_and(|most| l2_length_error <= most) && self.rims_at(positions) == 0
     }
 
     /// How many steps the phase may take, from what is known now: more while there are rims.
@@ -116,15 +130,15 @@ impl Simulation {
     }
 
     /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
-    /// Returns the positions of that surface.
-    fn step(&mut self, phase: &Phase, dt: f64) -> Vec<DVec3> {
-        let options = StepOptions { dt, ..phase.step };
-        self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
+    /// Returns the positions of that surface, and what the linear solve took.
+    fn step(&mut self, phase: &Phase, dt: f64) -> (Vec<DVec3>, SolveReport) {
+        let options = phase.options(dt, self.cursor.turn);
+        let report = self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
         self.remove_periods(phase.periods);
         let positions = self.integrate();
         let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);
         blend(&self.parts.shell, &mut self.frames, &target, phase.feedback);
-        positions
+        (positions, report)
     }
 
     /// Moves frames toward those of their own edge vectors without the harmonic part.

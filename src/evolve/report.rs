@@ -16,6 +16,9 @@ pub struct Cursor {
     /// Δt of the next step in mean face areas, where the phase lets it change; 0 at the start of a phase.
     #[serde(default)]
     pub dt: f64,
+    /// Mean turn of the frames in the last step in radians; 0 at the start of a phase.
+    #[serde(default)]
+    pub turn: f64,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
 }
@@ -23,7 +26,7 @@ pub struct Cursor {
 impl Cursor {
     /// The same run at the start of a phase.
     pub(super) fn at_start_of(self, phase: usize) -> Cursor {
-        Cursor { phase, step: 0, dt: 0.0, ..self }
+        Cursor { phase, step: 0, dt: 0.0, turn: 0.0, ..self }
     }
 }
 

@@ -37,6 +37,8 @@ pub struct Simulation {
     /// Whether anything in the scene depends on time.
     changes: bool,
     pub(super) pace: Pace,
+    /// L2 length error at which a frame without rims is done.
+    pub(super) accuracy: Option<f64>,
     /// The last frame that was made; 0 before the first.
     pub(super) frame: usize,
     pub(super) time: f64,
@@ -145,6 +147,7 @@ impl Simulation {
         if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
             return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
         }
+        let phases = phases_from_scene(&scene.phases, &scene.start.from, mesh.face_count());
         Ok(Simulation {
             mesh,
             repairs,
@@ -152,13 +155,14 @@ impl Simulation {
             metric,
             homology,
             spin,
-            phases: phases_from_scene(&scene.phases, &scene.start.from),
+            phases,
             frames,
             program,
             bending,
             pins,
             clock,
             changes,
+            accuracy: scene.clock.accuracy,
             pace: Pace::from_scene(&scene.clock, &scene.spin, changes),
             frame: 0,
             time,

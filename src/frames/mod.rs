@@ -1,11 +1,13 @@
 //! The quaternion field: energy, gradient, assembly and steps.
 
+mod connection_laplacian;
 mod energy;
 mod shell;
 mod start;
 mod step;
 mod system;
 
+pub use connection_laplacian::ConnectionLaplacian;
 pub use energy::{
     CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains,
 };

@@ -1,7 +1,7 @@
 //! Steps of the frames: gradient descent (Alg. 5) and quasi-Newton (Alg. 6).
 
 use super::system::{self, System};
-use super::{Shell, Stiffness, gradient};
+use super::{ConnectionLaplacian, Shell, Stiffness, gradient};
 use crate::algebra::{BlockPattern, ConjugateGradient, SolveReport, quaternion};
 use glam::{DMat4, DQuat, DVec4};
 
@@ -33,9 +33,17 @@ pub struct StepOptions {
     pub solver_tolerance: f64,
 }
 
-/// The stepper. Owns scratch only: pattern, matrix and solver vectors.
-#[derive(Clone, Debug)]
+impl StepOptions {
+    /// Whether all strains cost the same, so that midframes do not matter and one matrix serves all steps.
+    fn is_isotropic(&self) -> bool {
+        self.method == Method::Implicit && self.stiffness == [1.0; 4] && self.crease == 0.0
+    }
+}
+
+/// The stepper. Owns scratch only: pattern, matrix, factorization and solver vectors.
+#[derive(Debug)]
 pub struct Stepper {
+    isotropic: Option<ConnectionLaplacian>,
     pattern: BlockPattern,
     system: System,
     solver: ConjugateGradient,
@@ -46,6 +54,7 @@ impl Stepper {
     /// For frames on this shell, or another with the same connectivity.
     pub fn new(shell: &Shell) -> Stepper {
         Stepper {
+            isotropic: None,
             pattern: system::pattern(shell),
             system: System::default(),
             solver: ConjugateGradient::default(),
@@ -56,6 +65,10 @@ impl Stepper {
     /// One step; `frames` stay unit quaternions.
     pub fn advance(&mut self, shell: &Shell, options: &StepOptions, frames: &mut [DQuat]) -> SolveReport {
         let dt = options.dt * shell.mean_face_area();
+        if let Some(laplacian) = self.connection_laplacian(shell, options, dt) {
+            laplacian.step(frames);
+            return SolveReport::DIRECT;
+        }
         if options.method == Method::Gradient {
             let g = gradient(shell, options.stiffness, frames).curved;
             for ((frame, g), area) in frames.iter_mut().zip(&g).zip(&shell.face_areas) {
@@ -94,6 +107,18 @@ impl Stepper {
             }
         }
         report
+    }
+
+    /// The factorized matrix of isotropic steps, made where it is not there or another one; `None` where it does not
+    /// serve.
+    fn connection_laplacian(&mut self, shell: &Shell, options: &StepOptions, dt: f64) -> Option<&ConnectionLaplacian> {
+        if !options.is_isotropic() || !ConnectionLaplacian::suits(shell) {
+            return None;
+        }
+        if !self.isotropic.as_ref().is_some_and(|known| known.is_of(shell, dt)) {
+            self.isotropic = ConnectionLaplacian::new(shell, dt).ok();
+        }
+        self.isotropic.as_ref()
     }
 
     /// Turns the system into that of Alg. 6: unknowns Δλ_i = λ_i δ_i with δ imaginary, which solves the

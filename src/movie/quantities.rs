@@ -69,7 +69,7 @@ impl Measures {
         let fields = if wanted {
             let first = metric(mesh, &cache.read_frame(1)?)?;
             // Energies are those of the reports: with the weights of the last phase.
-            let phases = phases_from_scene(&plan.scene.phases, &plan.scene.start.from);
+            let phases = phases_from_scene(&plan.scene.phases, &plan.scene.start.from, mesh.face_count());
             let stiffness = phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
             Some(Fields::new(Arc::clone(mesh), first, stiffness))
         } else {

@@ -230,6 +230,10 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
             .at_most(180.0)
             .or(default.tolerance),
         max_steps: table.key("max_steps", "or after this many steps.").at_least(1.0).or(default.max_steps),
+        accuracy: table
+            .key("accuracy", "A frame is done as soon as its L2 length error is at most this and it has no rims; left out, when it has settled.")
+            .above(0.0)
+            .optional(0.005),
         max_strain: table
             .key("max_strain", "No edge changes its length by more than this share at once; a frame that brings more is reached in parts.")
             .above(0.0)

@@ -64,6 +64,9 @@ pub struct ClockSection {
     pub tolerance: f64,
     /// or after this many steps.
     pub max_steps: usize,
+    /// A frame is done as soon as its L2 length error is at most this and it has no rims. Left out, it is relaxed until
+    /// it has settled.
+    pub accuracy: Option<f64>,
     /// No edge changes its length by more than this share at once; where a frame brings more, it is reached in
     /// several parts.
     pub max_strain: f64,
@@ -79,6 +82,7 @@ impl Default for ClockSection {
             steps_per_frame: None,
             tolerance: 0.005,
             max_steps: 100,
+            accuracy: None,
             max_strain: 0.05,
         }
     }
