@@ -1,136 +1,197 @@
 //! Symmetric sparse matrices of 4×4 blocks on a graph of small degree (the faces of a mesh).
 
-use glam::{DMat4, DVec4};
+use super::strips::Pair;
+use super::{Block, BlockPattern};
+use glam::DVec4;
 use rayon::prelude::*;
 
-/// Rows that one task takes.
-const CHUNK: usize = 4096;
+/// Rows whose pairs are loaded at a time.
+const RUN: usize = 32;
 
-/// The graph: which block rows are coupled by which edge. Shared by all matrices on one mesh.
-#[derive(Clone, Debug)]
-pub struct BlockPattern {
-    /// Per row: up to three (column, index of the off-diagonal block, whether to transpose it).
-    rows: Vec<Vec3Links>,
-}
-
-type Vec3Links = [Option<Link>; 3];
-
-#[derive(Clone, Copy, Debug)]
-struct Link {
-    column: u32,
-    block: u32,
-    transposed: bool,
-}
-
-impl BlockPattern {
-    /// From pairs (row, column) of the off-diagonal blocks; every row may occur in at most three pairs.
-    pub fn new(rows: usize, pairs: impl Iterator<Item = (usize, usize)>) -> BlockPattern {
-        let mut pattern = vec![[None; 3]; rows];
-        let mut add = |row: usize, column: usize, block: usize, transposed: bool| {
-            let free = pattern[row].iter_mut().find(|slot| slot.is_none());
-            debug_assert!(free.is_some(), "a row has more than three neighbours");
-            if let Some(slot) = free {
-                *slot = Some(Link { column: column as u32, block: block as u32, transposed });
-            }
-        };
-        for (block, (row, column)) in pairs.enumerate() {
-            add(row, column, block, false);
-            add(column, row, block, true);
-        }
-        BlockPattern { rows: pattern }
-    }
-}
-
-/// A symmetric block matrix: `diagonal[i]`, and `off_diagonal[b]` at the b-th pair of its pattern.
+/// A symmetric block matrix, stored by the strips of its pattern.
 #[derive(Clone, Debug, Default)]
-pub struct BlockMatrix {
-    /// Diagonal blocks, symmetric.
-    pub diagonal: Vec<DMat4>,
-    /// Off-diagonal blocks (row, column) in the order of the pattern's pairs; (column, row) is the transpose.
-    pub off_diagonal: Vec<DMat4>,
+pub struct BlockMatrix<B: Block> {
+    pub(super) strips: Vec<StripBlocks<B>>,
 }
 
-impl BlockMatrix {
-    /// `A x` into `out`.
-    pub fn multiply(&self, pattern: &BlockPattern, x: &[DVec4], out: &mut [DVec4]) {
-        out.par_chunks_mut(CHUNK).enumerate().for_each(|(c, out)| {
-            for (k, out) in out.iter_mut().enumerate() {
-                let row = c * CHUNK + k;
-                *out = self.diagonal[row] * x[row] + self.coupled(pattern, row, x, |_| true);
+/// The blocks of a strip: (row, row), and (row, earlier row) in the order of the pattern.
+#[derive(Clone, Debug, Default)]
+pub(super) struct StripBlocks<B: Block> {
+    pub diagonal: Vec<B>,
+    pub inner: Vec<B>,
+    pub seams: Vec<B>,
+}
+
+/// What a pair of coupled rows adds to a matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct PairBlocks<B> {
+    /// To the diagonal block of the first row.
+    pub first: B,
+    /// To the diagonal block of the second row.
+    pub second: B,
+    /// The block (first, second); (second, first) is its transpose.
+    pub across: B,
+}
+
+impl<B: Block> BlockMatrix<B> {
+    /// The sum of a diagonal block per row and of what every pair of the pattern adds. At the same time a vector is
+    /// gathered, which has one part per row and one at either end of every pair.
+    ///
+    /// What a pair needs is loaded first, for many pairs at a time: pairs come in the order of elimination, so it is
+    /// scattered over memory, and loads wait for memory side by side only if little is done between them.
+    pub fn assemble<Data>(
+        &mut self,
+        pattern: &BlockPattern,
+        vector: &mut BlockVector,
+        row: impl Fn(usize) -> (B, DVec4) + Sync,
+        load: impl Fn(usize) -> Data + Sync,
+        pair: impl Fn(&Data) -> (PairBlocks<B>, [DVec4; 2]) + Sync,
+    ) {
+        self.strips.resize_with(pattern.strips.len(), StripBlocks::default);
+        vector.strips.resize_with(pattern.strips.len(), Vec::new);
+        let strips = self.strips.par_iter_mut().zip(&mut vector.strips).zip(&pattern.strips);
+        strips.for_each(|((blocks, vector), strip)| {
+            let StripBlocks { diagonal, inner, seams } = blocks;
+            diagonal.clear();
+            inner.clear();
+            seams.clear();
+            vector.clear();
+            for here in &strip.rows {
+                let (block, part) = row(*here as usize);
+                diagonal.push(block);
+                vector.push(part);
+            }
+            // The later row first.
+            let ends = |data: &Data, of: Pair| {
+                let (blocks, [first, second]) = pair(data);
+                if of.first_is_later {
+                    ([blocks.first, blocks.second], blocks.across, [first, second])
+                } else {
+                    ([blocks.second, blocks.first], blocks.across.transposed(), [second, first])
+                }
+            };
+            let mut loaded = Vec::new();
+            for start in (0..strip.rows.len()).step_by(RUN) {
+                let end = (start + RUN).min(strip.rows.len());
+                let first = strip.starts[start] as usize;
+                let run = &strip.pairs[first..strip.starts[end] as usize];
+                loaded.clear();
+                loaded.extend(run.iter().map(|pair| load(pair.index as usize)));
+                for row in start..end {
+                    for link in strip.couplings(row) {
+                        let column = strip.columns[link] as usize;
+                        let (at, across, parts) = ends(&loaded[link - first], strip.pairs[link]);
+                        diagonal[row] += at[0];
+                        diagonal[column] += at[1];
+                        vector[row] += parts[0];
+                        vector[column] += parts[1];
+                        inner.push(across);
+                    }
+                }
+            }
+            // Pairs at a seam are made twice, once for each side.
+            for seam in &strip.seams {
+                let (at, across, parts) = ends(&load(seam.pair.index as usize), seam.pair);
+                diagonal[seam.row as usize] += at[0];
+                vector[seam.row as usize] += parts[0];
+                seams.push(across);
+            }
+            for &(row, odd, _, number) in &strip.mirrored {
+                let pair = pattern.strips[odd as usize].seams[number as usize].pair;
+                let (at, _, parts) = ends(&load(pair.index as usize), pair);
+                diagonal[row as usize] += at[1];
+                vector[row as usize] += parts[1];
             }
         });
     }
 
-    #[inline]
-    fn coupled(&self, pattern: &BlockPattern, row: usize, x: &[DVec4], take: impl Fn(usize) -> bool) -> DVec4 {
-        let mut sum = DVec4::ZERO;
-        for link in pattern.rows[row].iter().flatten() {
-            let column = link.column as usize;
-            if take(column) {
-                let block = &self.off_diagonal[link.block as usize];
-                sum += if link.transposed { transpose_times(block, x[column]) } else { *block * x[column] };
+    /// Replaces every block, those of the diagonal and the others.
+    pub fn transform(&mut self, diagonal: impl Fn(B) -> B + Sync, across: impl Fn(B) -> B + Sync) {
+        self.strips.par_iter_mut().for_each(|blocks| {
+            blocks.diagonal.iter_mut().for_each(|block| *block = diagonal(*block));
+            blocks.inner.iter_mut().chain(&mut blocks.seams).for_each(|block| *block = across(*block));
+        });
+    }
+
+    /// About the length of the error that rounding makes in `A x`.
+    pub fn rounding_error(&self, x: &BlockVector) -> f64 {
+        let of_row = |(block, x): (&B, &DVec4)| {
+            let block = block.exact();
+            let largest = block.x_axis.x.max(block.y_axis.y).max(block.z_axis.z).max(block.w_axis.w);
+            largest * largest * x.length_squared()
+        };
+        let strips = self.strips.iter().zip(&x.strips);
+        let squared: f64 = strips.flat_map(|(blocks, x)| blocks.diagonal.iter().zip(x).map(of_row)).sum();
+        2.0 * B::EPSILON * squared.sqrt()
+    }
+
+    /// `b − A x` into `out`.
+    pub fn residual(&self, pattern: &BlockPattern, b: &BlockVector, x: &BlockVector, out: &mut BlockVector) {
+        out.strips.resize_with(pattern.strips.len(), Vec::new);
+        out.strips.par_iter_mut().enumerate().for_each(|(k, out)| {
+            let (strip, blocks, x_here) = (&pattern.strips[k], &self.strips[k], &x.strips[k]);
+            let vector = |x: DVec4| B::round_vector(x);
+            out.clear();
+            for ((b, x), block) in b.strips[k].iter().zip(x_here).zip(&blocks.diagonal) {
+                out.push(*b - B::exact_vector(block.times(vector(*x))));
             }
-        }
-        sum
+            for row in 0..out.len() {
+                let x = vector(x_here[row]);
+                let mut sum = B::Vector::default();
+                for link in strip.couplings(row) {
+                    let (column, block) = (strip.columns[link] as usize, &blocks.inner[link]);
+                    sum += block.times(vector(x_here[column]));
+                    out[column] -= B::exact_vector(block.transpose_times(x));
+                }
+                out[row] -= B::exact_vector(sum);
+            }
+            for (seam, block) in strip.seams.iter().zip(&blocks.seams) {
+                let x = vector(x.strips[seam.strip as usize][seam.column as usize]);
+                out[seam.row as usize] -= B::exact_vector(block.times(x));
+            }
+            for &(row, odd, there, number) in &strip.mirrored {
+                let block = &self.strips[odd as usize].seams[number as usize];
+                let x = vector(x.strips[odd as usize][there as usize]);
+                out[row as usize] -= B::exact_vector(block.transpose_times(x));
+            }
+        });
     }
 }
 
-#[inline]
-fn transpose_times(m: &DMat4, v: DVec4) -> DVec4 {
-    DVec4::new(m.x_axis.dot(v), m.y_axis.dot(v), m.z_axis.dot(v), m.w_axis.dot(v))
-}
-
-/// Block incomplete Cholesky factorization without fill, `(D + L) D⁻¹ (D + Lᵀ)`, exact on the pattern of
-/// a graph without triangles.
+/// A vector of four numbers per row, by the strips of a pattern.
 #[derive(Clone, Debug, Default)]
-pub struct IncompleteCholesky {
-    inverse_pivots: Vec<DMat4>,
-    /// Pivots that were not positive definite and were replaced by the diagonal block.
-    pub replaced_pivots: usize,
+pub struct BlockVector {
+    pub(super) strips: Vec<Vec<DVec4>>,
 }
 
-impl IncompleteCholesky {
-    /// Factorizes in row order; the result does not depend on the number of threads.
-    pub fn factorize(&mut self, pattern: &BlockPattern, matrix: &BlockMatrix) {
-        self.inverse_pivots.clear();
-        self.replaced_pivots = 0;
-        for (row, links) in pattern.rows.iter().enumerate() {
-            let mut pivot = matrix.diagonal[row];
-            for link in links.iter().flatten().filter(|link| (link.column as usize) < row) {
-                let block = matrix.off_diagonal[link.block as usize];
-                let here = if link.transposed { block.transpose() } else { block };
-                pivot -= here * self.inverse_pivots[link.column as usize] * here.transpose();
-            }
-            if !is_positive_definite(&pivot, &matrix.diagonal[row]) {
-                self.replaced_pivots += 1;
-                pivot = matrix.diagonal[row];
-            }
-            self.inverse_pivots.push(pivot.inverse());
-        }
+impl BlockVector {
+    /// From its value at each row.
+    pub fn set(&mut self, pattern: &BlockPattern, value: impl Fn(usize) -> DVec4 + Sync) {
+        self.strips.resize_with(pattern.strips.len(), Vec::new);
+        self.strips.par_iter_mut().zip(&pattern.strips).for_each(|(values, strip)| {
+            values.clear();
+            values.extend(strip.rows.iter().map(|row| value(*row as usize)));
+        });
     }
 
-    /// Solves with the factorization.
-    pub fn solve(&self, pattern: &BlockPattern, matrix: &BlockMatrix, r: &[DVec4], z: &mut [DVec4]) {
-        for row in 0..r.len() {
-            let rest = r[row] - matrix.coupled(pattern, row, z, |column| column < row);
-            z[row] = self.inverse_pivots[row] * rest;
-        }
-        for row in (0..r.len()).rev() {
-            let correction = matrix.coupled(pattern, row, z, |column| column > row);
-            z[row] -= self.inverse_pivots[row] * correction;
-        }
+    /// From another vector.
+    pub(super) fn copy_from(&mut self, other: &BlockVector) {
+        self.strips.resize_with(other.strips.len(), Vec::new);
+        self.strips.par_iter_mut().zip(&other.strips).for_each(|(values, other)| values.clone_from(other));
     }
-}
 
-/// Whether Cholesky's pivots stay above rounding relative to the block they came from.
-fn is_positive_definite(m: &DMat4, scale: &DMat4) -> bool {
-    let floor = 1e-12 * scale.x_axis.x.max(scale.y_axis.y).max(scale.z_axis.z).max(scale.w_axis.w);
-    let mut rest = *m;
-    (0..4).all(|k| {
-        let column = rest.col(k);
-        let pivot = column[k];
-        rest -= DMat4::from_cols(column * column.x, column * column.y, column * column.z, column * column.w)
-            * (1.0 / pivot);
-        pivot > floor
-    })
+    /// The value at a row.
+    #[inline]
+    pub fn at(&self, pattern: &BlockPattern, row: usize) -> DVec4 {
+        let (strip, place) = pattern.places[row];
+        self.strips[strip as usize][place as usize]
+    }
+
+    /// Euclidean length, summed strip by strip.
+    pub fn length(&self) -> f64 {
+        let of_strip = |values: &Vec<DVec4>| values.iter().map(|v| v.length_squared()).sum::<f64>();
+        let mut sums = Vec::with_capacity(self.strips.len());
+        self.strips.par_iter().map(of_strip).collect_into_vec(&mut sums);
+        sums.iter().sum::<f64>().sqrt()
+    }
 }

@@ -2,14 +2,20 @@
 
 pub mod quaternion;
 
+mod block;
 mod block_sparse;
 mod cholesky;
 mod complex;
 mod conjugate_gradient;
+mod incomplete_cholesky;
 mod inner_product;
+mod strips;
 
-pub use block_sparse::{BlockMatrix, BlockPattern, IncompleteCholesky};
+pub use block::Block;
+pub use block_sparse::{BlockMatrix, BlockVector, PairBlocks};
 pub use cholesky::{CholeskyError, SparseCholesky};
 pub use complex::Complex;
 pub use conjugate_gradient::{ConjugateGradient, SolveReport};
+pub use incomplete_cholesky::IncompleteCholesky;
 pub use inner_product::inner_product;
+pub use strips::BlockPattern;

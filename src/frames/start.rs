@@ -1,9 +1,9 @@
 //! Frames to start from.
 
-use super::system::{self, System};
+use super::system::{self, State, System};
 use super::{Shell, strains};
-use crate::algebra::{Complex, ConjugateGradient, quaternion};
-use glam::{DQuat, DVec4};
+use crate::algebra::{BlockVector, Complex, ConjugateGradient, IncompleteCholesky, quaternion};
+use glam::{DMat4, DQuat, DVec4};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
@@ -38,17 +38,22 @@ pub fn spectral_frames(shell: &Shell) -> Vec<DQuat> {
     // Inverse iteration. In the gauge of frames that are all 1 the matrix is that of Eq. 12 itself, and with
     // ε = (1, 1, 1, 1) it does not depend on midframes.
     let gauge = vec![DQuat::IDENTITY; shell.face_count()];
-    let mut system = System::default();
-    system.assemble(shell, [1.0; 4], 0.0, INVERSE_SHIFT * shell.mean_face_area(), &gauge);
+    let dt = INVERSE_SHIFT * shell.mean_face_area();
+    let state = State { shell, stiffness: [1.0; 4], crease: 0.0, dt, frames: &gauge, lengths: None };
     let pattern = system::pattern(shell);
+    let mut system = System::<DMat4>::default();
+    system.assemble(&pattern, &state);
+    let mut factor = IncompleteCholesky::default();
+    factor.factorize(&pattern, &system.matrix);
     let mut solver = ConjugateGradient::default();
+    let (mut weighted, mut solution) = (BlockVector::default(), BlockVector::default());
     let is_complex = shell.hinges.iter().all(|hinge| hinge.transport == hinge.spin.quaternion());
     let mut mode: Vec<DVec4> = random_frames(shell.face_count(), 0).into_iter().map(DVec4::from).collect();
     for _ in 0..INVERSE_STEPS {
-        let weighted: Vec<DVec4> = mode.iter().zip(&shell.face_areas).map(|(x, area)| *x * *area).collect();
+        weighted.set(&pattern, |face| mode[face] * shell.face_areas[face]);
         // From zero, not from the mode: the residual of the mode is larger than the right side by far.
-        let mut next = vec![DVec4::ZERO; mode.len()];
-        solver.solve(&pattern, &system.matrix, &weighted, &mut next, 1e-8, 5000);
+        solver.solve(&pattern, &system.matrix, &factor, &weighted, &mut solution, 1e-8, 5000);
+        let mut next: Vec<DVec4> = (0..mode.len()).map(|face| solution.at(&pattern, face)).collect();
         if is_complex {
             separate(&mut next, &shell.face_areas);
         }

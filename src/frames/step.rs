@@ -1,9 +1,12 @@
 //! Steps of the frames: gradient descent (Alg. 5) and quasi-Newton (Alg. 6).
 
-use super::system::{self, System};
+use super::system::{self, State, System};
 use super::{ConnectionLaplacian, Shell, Stiffness, gradient};
-use crate::algebra::{BlockPattern, ConjugateGradient, SolveReport, quaternion};
-use glam::{DMat4, DQuat, DVec4};
+use crate::algebra::{
+    Block, BlockPattern, BlockVector, ConjugateGradient, IncompleteCholesky, SolveReport, quaternion,
+};
+use glam::{DMat4, DQuat, DVec4, Mat4};
+use rayon::prelude::*;
 
 /// Which step to take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,14 +43,23 @@ impl StepOptions {
     }
 }
 
-/// The stepper. Owns scratch only: pattern, matrix, factorization and solver vectors.
+/// The stepper. Owns the order of elimination, which depends on the connectivity alone, the
+/// factorization of isotropic steps, and scratch.
 #[derive(Debug)]
 pub struct Stepper {
     isotropic: Option<ConnectionLaplacian>,
     pattern: BlockPattern,
-    system: System,
-    solver: ConjugateGradient,
-    solution: Vec<DVec4>,
+    single: Solver<Mat4>,
+    double: Solver<DMat4>,
+    solution: BlockVector,
+}
+
+/// What a solve needs in one precision.
+#[derive(Clone, Debug, Default)]
+struct Solver<B: Block> {
+    system: System<B>,
+    factor: IncompleteCholesky<B>,
+    iteration: ConjugateGradient<B>,
 }
 
 impl Stepper {
@@ -56,58 +68,63 @@ impl Stepper {
         Stepper {
             isotropic: None,
             pattern: system::pattern(shell),
-            system: System::default(),
-            solver: ConjugateGradient::default(),
-            solution: Vec::new(),
+            single: Solver::default(),
+            double: Solver::default(),
+            solution: BlockVector::default(),
         }
     }
 
     /// One step; `frames` stay unit quaternions.
     pub fn advance(&mut self, shell: &Shell, options: &StepOptions, frames: &mut [DQuat]) -> SolveReport {
+        // On a thread of the pool, so that its many short tasks need not be handed over one by one.
+        rayon::scope(|_| self.advance_on_pool(shell, options, frames))
+    }
+
+    fn advance_on_pool(&mut self, shell: &Shell, options: &StepOptions, frames: &mut [DQuat]) -> SolveReport {
         let dt = options.dt * shell.mean_face_area();
         if let Some(laplacian) = self.connection_laplacian(shell, options, dt) {
             laplacian.step(frames);
             return SolveReport::DIRECT;
         }
+        // The gauge needs unit frames; the step from frames of other lengths starts at their lengths instead of 1.
+        let mut lengths = None;
         if options.method == Method::Gradient {
             let g = gradient(shell, options.stiffness, frames).curved;
             for ((frame, g), area) in frames.iter_mut().zip(&g).zip(&shell.face_areas) {
                 *frame -= *g * (dt / area); // forward Euler for M λ' = −g
             }
+            lengths = Some(frames.iter().map(|q| q.length()).collect::<Vec<f64>>());
         }
-        // The gauge needs unit frames; the step from frames of other lengths starts at their lengths instead of 1.
-        let lengths: Vec<f64> = frames.iter().map(|q| q.length()).collect();
         normalize(frames);
-        self.system.assemble(shell, options.stiffness, options.crease, dt, frames);
-        self.solution.clear();
-        match options.method {
-            Method::Implicit => self.solution.resize(frames.len(), DVec4::W),
-            Method::Gradient => {
-                self.solution.extend(lengths.iter().map(|length| DVec4::W * *length));
-                self.system.right_side.iter_mut().zip(&lengths).for_each(|(b, length)| *b *= *length);
+        let state = State {
+            shell,
+            stiffness: options.stiffness,
+            crease: options.crease,
+            dt,
+            frames,
+            lengths: lengths.as_deref(),
+        };
+        let Self { pattern, single, double, solution } = self;
+        let newton = options.method == Method::Newton;
+        let tolerance = options.solver_tolerance;
+        let is_single_enough = tolerance >= SINGLE_TOLERANCE && options.dt <= SINGLE_DT;
+        let report = is_single_enough
+            .then(|| single.solve(pattern, &state, newton, tolerance, solution))
+            .filter(|report| report.residual <= tolerance)
+            .unwrap_or_else(|| double.solve(pattern, &state, newton, tolerance, solution));
+        frames.par_chunks_mut(CHUNK).enumerate().for_each(|(chunk, frames)| {
+            for (k, frame) in frames.iter_mut().enumerate() {
+                let face = chunk * CHUNK + k;
+                let start = lengths.as_ref().map_or(1.0, |lengths| lengths[face]);
+                let change = DQuat::from_vec4(solution.at(pattern, face) + DVec4::W * start);
+                if let Some(next) = quaternion::normalized(*frame * change) {
+                    *frame = next; // constraint projection
+                }
             }
-            Method::Newton => {
-                self.solution.resize(frames.len(), DVec4::ZERO);
-                self.tangent_system(shell, options.stiffness, dt, frames);
-            }
-        }
-        let report = self.solver.solve(
-            &self.pattern,
-            &self.system.matrix,
-            &self.system.right_side,
-            &mut self.solution,
-            options.solver_tolerance,
-            MAX_ITERATIONS,
-        );
-        for (frame, y) in frames.iter_mut().zip(&self.solution) {
-            let change = DQuat::from_vec4(*y);
-            let factor = if options.method == Method::Newton { DQuat::IDENTITY + change } else { change };
-            if let Some(next) = quaternion::normalized(*frame * factor) {
-                *frame = next; // constraint projection
-            }
-        }
+        });
         report
     }
+}
 
     /// The factorized matrix of isotropic steps, made where it is not there or another one; `None` where it does not
     /// serve.
@@ -133,17 +150,52 @@ impl Stepper {
         for (f, b) in self.system.right_side.iter_mut().enumerate() {
             let force = frames[f].conjugate() * (force.linear[f] + force.curved[f]);
             *b = tangent * DVec4::from(force) * -dt;
+impl<B: Block> Solver<B> {
+    fn solve(
+        &mut self,
+        pattern: &BlockPattern,
+        state: &State,
+        newton: bool,
+        tolerance: f64,
+        solution: &mut BlockVector,
+    ) -> SolveReport {
+        let Self { system, factor, iteration } = self;
+        system.assemble(pattern, state);
+        if newton {
+            restrict_to_tangents(system, pattern, state);
         }
+        factor.factorize(pattern, &system.matrix);
+        iteration.solve(pattern, &system.matrix, factor, &system.pull, solution, tolerance, MAX_ITERATIONS)
     }
+}
+
+/// Turns the system into that of Alg. 6: unknowns Δλ_i = λ_i δ_i with δ imaginary, which solves the
+/// constraint J Δλ = 0, and right side −(Lλ + g).
+fn restrict_to_tangents<B: Block>(system: &mut System<B>, pattern: &BlockPattern, state: &State) {
+    let force = gradient(state.shell, state.stiffness, state.frames);
+    let tangent = B::round(DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, 0.0)));
+    let radial = B::round(DMat4::from_diagonal(DVec4::W));
+    let restricted = |block| tangent * block * tangent;
+    system.matrix.transform(|block| restricted(block) + radial, restricted);
+    system.pull.set(pattern, |f| {
+        let force = state.frames[f].conjugate() * (force.linear[f] + force.curved[f]);
+        DVec4::new(force.x, force.y, force.z, 0.0) * -state.dt
+    });
 }
 
 fn normalize(frames: &mut [DQuat]) {
-    for frame in frames {
+    frames.par_chunks_mut(CHUNK).flatten_iter().for_each(|frame| {
         if let Some(unit) = quaternion::normalized(*frame) {
             *frame = unit;
         }
-    }
+    });
 }
 
+/// Faces that one task takes.
+const CHUNK: usize = 4096;
+/// Single precision does for solves that are no tighter,
+const SINGLE_TOLERANCE: f64 = 1e-4;
+/// and time steps, in mean face areas, that are no longer: beyond them M is lost in the rounding of Δt L.
+const SINGLE_DT: f64 = 1e4;
 /// More inner iterations than any step on a mesh of ten million faces took.
 const MAX_ITERATIONS: usize = 5000;
