@@ -25,6 +25,8 @@ pub struct Progress {
     pub settled: bool,
     /// L2 length error of the integrated surface.
     pub l2_length_error: f64,
+    /// Iterations that the linear solve of the step took.
+    pub inner_iterations: usize,
 }
 
 /// Told of every step; may stop the simulation.

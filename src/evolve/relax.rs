@@ -48,7 +48,7 @@ impl Simulation {
         for taken in 1..=left {
             let before = self.frames.clone();
             let dt = if self.cursor.dt > 0.0 { self.cursor.dt } else { phase.step.dt };
-            let positions = self.step(phase, dt);
+            let (positions, inner_iterations) = self.step(phase, dt);
             self.cursor.step += 1;
             self.cursor.steps += 1;
             let turn = mean_turn(&self.parts.shell, &before, &self.frames);
@@ -68,6 +68,7 @@ impl Simulation {
                 tolerance: phase.tolerance_radians.to_degrees(),
                 settled,
                 l2_length_error: l2_length_error(&self.mesh, &self.metric, &positions),
+                inner_iterations,
             };
             if observer.after_step(&progress).is_break() {
                 return Err(EvolveError::Stopped { steps: self.cursor.steps });
@@ -116,15 +117,15 @@ impl Simulation {
     }
 
     /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
-    /// Returns the positions of that surface.
-    fn step(&mut self, phase: &Phase, dt: f64) -> Vec<DVec3> {
+    /// Returns the positions of that surface, and the iterations of the linear solve.
+    fn step(&mut self, phase: &Phase, dt: f64) -> (Vec<DVec3>, usize) {
         let options = StepOptions { dt, ..phase.step };
-        self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
+        let solve = self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
         self.remove_periods(phase.periods);
         let positions = self.integrate();
         let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);
         blend(&self.parts.shell, &mut self.frames, &target, phase.feedback);
-        positions
+        (positions, solve.iterations)
     }
 
     /// Moves frames toward those of their own edge vectors without the harmonic part.
