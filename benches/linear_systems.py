@@ -60,7 +60,7 @@ def main():
             results.append(cholmod(csr.tocsc(), right, options.repeats))
             continue
         result = dict(dt=state["dt"], assembly=assembly, solves=[])
-        for tolerance in [solve["tolerance"] for solve in state["solves"]][:2]:
+        for tolerance in (ours["tolerance"] for ours in state["solves"][:2]):
             # The better of the two formats.
             times = {"BSR": [], "CSR": []}
             for _ in range(options.repeats):

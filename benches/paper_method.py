@@ -1,7 +1,7 @@
 """The paper's method in NumPy and SciPy: frames from random ones by Algorithm 8 with the systems of Algorithm 5 solved by
 unpreconditioned conjugate gradients, positions by Algorithm 7.
 
-    python paper_method.py PROBLEM [--target 0.005] [--schedule sphere|torus]
+    python paper_method.py PROBLEM [--target 0.005] [--schedule short|even|torus]
 
 PROBLEM is a folder that `cargo bench --bench speed -- problem NAME PROBLEM` writes: triangles, edge lengths, spin
 connection and random frames. Everything else follows from them as in Appendix D. The run ends as soon as the length error is
@@ -9,7 +9,7 @@ below the target and there are no rims. Prints one line of JSON.
 
 What is not as printed, because it would be slower or would not arrive: the term g is left out (its explicit integration
 falls apart at time steps above a few face areas), the weights are positive on all triangles, and the feedback comes
-in gradually on tori. The schedules are the fastest that were found to arrive.
+in gradually on tori.
 """
 
 import argparse
@@ -21,25 +21,43 @@ import numpy as np
 import scipy.sparse as sparse
 import scipy.sparse.linalg as linalg
 
-# (ε₁ and ε₃, steps, Δt in mean face areas, feedback); ε₀ = ε₂ = 1.
+# Residual of a solve relative to that of standing still, and stages of (ε₁ and ε₃, steps, Δt in mean face areas, feedback);
+# ε₀ = ε₂ = 1.
 SCHEDULES = {
-    "sphere": [
-        ((1, 1), 15, 3000, 1),
-        ((0.1, 0.1), 6, 3000, 1),
-        ((0.01, 0.1), 6, 3000, 1),
-        ((0.001, 0.1), 8, 1000, 1),
-        ((0, 0.1), 60, 300, 1),
-    ],
-    "torus": [
-        ((1, 1), 15, 300, 0.1),
-        ((0.1, 0.1), 15, 300, 0.5),
-        ((0.01, 0.1), 20, 300, 1),
-        ((0.001, 0.1), 15, 300, 1),
-        ((0, 0.1), 40, 100, 1),
-    ],
+    # Fitted to the bunny and to a length error of 0.5 %.
+    "short": (
+        1e-2,
+        [
+            ((1, 1), 15, 3000, 1),
+            ((0.1, 0.1), 6, 3000, 1),
+            ((0.01, 0.1), 6, 3000, 1),
+            ((0.001, 0.1), 8, 1000, 1),
+            ((0, 0.1), 60, 300, 1),
+        ],
+    ),
+    # Stages of even lengths, as one writes them down before having seen where a mesh needs them.
+    "even": (
+        3e-3,
+        [
+            ((1, 1), 15, 3000, 1),
+            ((0.1, 0.1), 15, 3000, 1),
+            ((0.01, 0.1), 20, 3000, 1),
+            ((0.001, 0.1), 10, 1000, 1),
+            ((0, 0.1), 60, 300, 1),
+        ],
+    ),
+    # Fitted to flat tori of 6000 faces: of several that were tried the one that brings most classes to 2.5 %.
+    "torus": (
+        3e-3,
+        [
+            ((1, 1), 30, 100, 0.1),
+            ((0.1, 0.1), 60, 100, 0.5),
+            ((0.01, 0.1), 20, 100, 1),
+            ((0.001, 0.1), 15, 100, 1),
+            ((0, 0.1), 40, 30, 1),
+        ],
+    ),
 }
-# Residual of a solve relative to that of standing still.
-INNER_TOLERANCE = 3e-3
 
 
 def multiply(p, q):
@@ -47,7 +65,12 @@ def multiply(p, q):
     a, b, c, d = np.moveaxis(p, -1, 0)
     w, x, y, z = np.moveaxis(q, -1, 0)
     return np.stack(
-        [a * w - b * x - c * y - d * z, a * x + b * w + c * z - d * y, a * y - b * z + c * w + d * x, a * z + b * y - c * x + d * w],
+        [
+            a * w - b * x - c * y - d * z,
+            a * x + b * w + c * z - d * y,
+            a * y - b * z + c * w + d * x,
+            a * z + b * y - c * x + d * w,
+        ],
         axis=-1,
     )
 
@@ -157,6 +180,7 @@ class Surface:
 
     def edge_vectors(self, frames):
         """Eq. 41."""
+
         def seen(halfedges):
             z = self.z[halfedges]
             return rotate(frames[halfedges // 3], np.stack([np.zeros(len(z)), z.real, z.imag], axis=1))
@@ -169,7 +193,10 @@ class Surface:
         """dᵀ ⋆ d of Eq. 42 without its first row and column."""
         count = np.arange(self.edge_count)
         d = sparse.csr_array(
-            (np.repeat([[-1.0, 1.0]], self.edge_count, axis=0).reshape(-1), (np.repeat(count, 2), self.ends.reshape(-1))),
+            (
+                np.repeat([[-1.0, 1.0]], self.edge_count, axis=0).reshape(-1),
+                (np.repeat(count, 2), self.ends.reshape(-1)),
+            ),
             shape=(self.edge_count, self.vertex_count),
         )
         self.divergence = (d.T @ sparse.diags_array(self.primal)).tocsr()
@@ -246,16 +273,19 @@ def solve(matrix, right, start, tolerance):
     return solution, count
 
 
-def relax(surface, schedule, target, inner_tolerance=INNER_TOLERANCE, watch=None):
+def relax(surface, schedule, target, watch=None):
+    inner_tolerance, stages = schedule
     clock = time.perf_counter
     begin = clock()
-    seconds = dict(poisson_factorization=0.0, assembly=0.0, conjugate_gradients=0.0, positions_and_frames=0.0, measures=0.0)
+    seconds = dict(
+        poisson_factorization=0.0, assembly=0.0, conjugate_gradients=0.0, positions_and_frames=0.0, measures=0.0
+    )
     surface.factorize_poisson()
     seconds["poisson_factorization"] = clock() - begin
     frames, mass = surface.frames, np.repeat(surface.areas, 4)
     steps = iterations = rims = pinch_points = 0
     error = np.inf
-    for (bending, torsion), count, dt, feedback in schedule:
+    for (bending, torsion), count, dt, feedback in stages:
         amount = (1 - (1 - feedback) ** (surface.unit / surface.areas))[:, None]
         for _ in range(count):
             t0 = clock()
@@ -303,14 +333,12 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("problem")
     parser.add_argument("--target", type=float, default=0.005)
-    parser.add_argument("--schedule", choices=list(SCHEDULES), default="sphere")
-    parser.add_argument("--inner-tolerance", type=float, default=INNER_TOLERANCE)
+    parser.add_argument("--schedule", choices=list(SCHEDULES), default="short")
     parser.add_argument("--watch", action="store_true", help="a line per step")
     options = parser.parse_args()
     watch = lambda *state: print(*state, flush=True)
     surface = Surface(options.problem)
-    schedule = SCHEDULES[options.schedule]
-    print(json.dumps(relax(surface, schedule, options.target, options.inner_tolerance, watch if options.watch else None)))
+    print(json.dumps(relax(surface, SCHEDULES[options.schedule], options.target, watch if options.watch else None)))
 
 
 if __name__ == "__main__":

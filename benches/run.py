@@ -4,47 +4,22 @@ import argparse
 import datetime
 import importlib.metadata
 import json
-import math
 import os
 import pathlib
 import platform
 import re
-import statistics
 import subprocess
 import sys
 import time
+from statistics import median
+
+from tables import exponent, report, say, seconds, table
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SCRATCH = ROOT / "target" / "bench"
 CORES = len(os.sched_getaffinity(0))
 MIB = 2.0**20
 PARTS = ("memory", "steps", "paper", "sizes", "threads", "film")
-
-report = []
-
-
-def say(text=""):
-    report.append(text)
-    print(text, flush=True)
-
-
-def table(head, rows):
-    """Rows of text, aligned: Markdown that reads well as it is."""
-    rows = [[str(cell) for cell in row] for row in rows]
-    widths = [max(len(row[k]) for row in [head, *rows]) for k in range(len(head))]
-    line = lambda row: "| " + " | ".join(cell.ljust(width) for cell, width in zip(row, widths)) + " |"
-    say(line(head))
-    say("|" + "|".join("-" * (width + 2) for width in widths) + "|")
-    for row in rows:
-        say(line(row))
-    say()
-
-
-median = statistics.median
-
-
-def seconds(value):
-    return f"{value * 1e3:.0f} ms" if value < 1 else f"{value:.1f} s" if value < 100 else f"{value:.0f} s"
 
 
 def run(command, threads=None, blas_threads=None):
@@ -67,7 +42,9 @@ class Bench:
         self.irregular = options.mesh or "hare"
         self.speed = self.build(["bench", "--bench", "speed", "--no-run"], "speed")
         self.program = self.build(["build", "--release"], "immerse")
-        self.blas_threads = None
+        # Whether to hold NumPy to one thread; the part `steps` finds out.
+        self.blas_threads = 1
+        self.numpy_threads = "one"
 
     @staticmethod
     def build(words, target):
@@ -91,8 +68,12 @@ class Bench:
         dirty = " and changes" if said("git", "status", "--porcelain", "--untracked-files=no") else ""
         say("# Results of `benches/run.sh`")
         say()
-        say(f"{datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d}, commit {said('git', 'rev-parse', '--short', 'HEAD')}{dirty}.")
-        say(f"{cpu}, {CORES} cores, {memory:.0f} GiB, {platform.system()} {platform.release()}; load at the start {os.getloadavg()[0]:.1f}.")
+        say(
+            f"{datetime.datetime.now(datetime.timezone.utc):%Y-%m-%d}, commit {said('git', 'rev-parse', '--short', 'HEAD')}{dirty}."
+        )
+        say(
+            f"{cpu}, {CORES} cores, {memory:.0f} GiB, {platform.system()} {platform.release()}; load at the start {os.getloadavg()[0]:.1f}."
+        )
         say(
             f"{said('rustc', '--version').split(' (')[0]}; Python {platform.python_version()}, NumPy {version('numpy')}, "
             f"SciPy {version('scipy')}; SuiteSparse {suitesparse} by scikit-sparse {version('scikit-sparse')}."
@@ -113,14 +94,23 @@ class Bench:
                 more = last["iterations"] - first["iterations"]
                 each = (median(last["seconds"]) - median(first["seconds"])) / max(more, 1)
                 moved = measured["bytes_per_iteration"] * measured["faces"]
-                rows.append([
-                    threads, f"{rate / 1e9:.1f} GB/s", f"{state['dt']:g}", f"{each * 1e3:.2f} ms",
-                    f"{moved / 1e6:.0f} MB", f"{moved / each / 1e9:.1f} GB/s", f"{moved / each / rate:.0%}",
-                ])
+                rows.append(
+                    [
+                        threads,
+                        f"{rate / 1e9:.1f} GB/s",
+                        f"{state['dt']:g}",
+                        f"{each * 1e3:.2f} ms",
+                        f"{moved / 1e6:.0f} MB",
+                        f"{moved / each / 1e9:.1f} GB/s",
+                        f"{moved / each / rate:.0%}",
+                    ]
+                )
         say("## Bytes moved by an iteration of the inner solve, against the memory")
         say()
-        say(f"`{name}`, {measured['faces']} faces. An iteration of the textbook's preconditioned conjugate gradients moves "
-            f"{measured['bytes_per_iteration']:.0f} bytes a face (counted in `benches/speed/step.rs`); more than 100 % would mean that fewer were moved, or that caches held them.")
+        say(
+            f"`{name}`, {measured['faces']} faces. An iteration of the textbook's preconditioned conjugate gradients moves "
+            f"{measured['bytes_per_iteration']:.0f} bytes a face (counted in `benches/speed/step.rs`); more than 100 % would mean that fewer were moved, or that caches held them."
+        )
         say()
         table(["threads", "triad", "dt", "one iteration", "it moves", "rate", "share of triad"], rows)
 
@@ -145,45 +135,97 @@ class Bench:
                 times.setdefault(state["dt"], {})[faces] = median(state["solves"][0]["seconds"])
                 for mine, other in zip(state["solves"], theirs["solves"]):
                     a, b = median(mine["seconds"]), median(other["seconds"])
-                    rows.append([
-                        pathlib.Path(name).stem, faces, f"{state['dt']:g}", f"{mine['tolerance']:g}", seconds(a), mine["iterations"],
-                        seconds(b), f"{other['iterations']} ({other['format']})", f"{b / a:.1f}", seconds(b + theirs["assembly"]), f"{(b + theirs['assembly']) / a:.1f}",
-                    ])
+                    rows.append(
+                        [
+                            pathlib.Path(name).stem,
+                            faces,
+                            f"{state['dt']:g}",
+                            f"{mine['tolerance']:g}",
+                            seconds(a),
+                            mine["iterations"],
+                            seconds(b),
+                            f"{other['iterations']} ({other['format']})",
+                            f"{b / a:.1f}",
+                            seconds(b + theirs["assembly"]),
+                            f"{(b + theirs['assembly']) / a:.1f}",
+                        ]
+                    )
             if faces < 400_000:
                 # CHOLMOD factorizes a million faces in more memory than most machines have.
                 for state, parts in zip(ours["states"], self.python("linear_systems.py", "cholmod", *arguments)):
                     a = median(state["solves"][1]["seconds"])
                     total = parts["factorize"] + parts["solve"]
-                    direct.append([
-                        pathlib.Path(name).stem, faces, f"{state['dt']:g}", parts["ordering"], seconds(parts["analyze"]), seconds(parts["factorize"]),
-                        seconds(parts["solve"]), seconds(a), f"{total / a:.1f}",
-                    ])
+                    direct.append(
+                        [
+                            pathlib.Path(name).stem,
+                            faces,
+                            f"{state['dt']:g}",
+                            parts["ordering"],
+                            seconds(parts["analyze"]),
+                            seconds(parts["factorize"]),
+                            seconds(parts["solve"]),
+                            seconds(a),
+                            f"{total / a:.1f}",
+                        ]
+                    )
         say("## One gradient step, against SciPy's conjugate gradients on the same system")
         say()
-        say("Ours is the whole step: assembly, factorization, solve. Frames are those of a relaxation under way, from random ones. "
-            f"Tightly solved, both sides give the same frames up to {max(differences):.0e}. SciPy's matrix is in the better of two formats; NumPy's threads: {self.blas_threads or 'as they come'}.")
+        say(
+            "Ours is the whole step: assembly, factorization, solve. Frames are those of a relaxation under way, from random ones. "
+            f"Tightly solved, both sides give the same frames up to {max(differences):.0e}. SciPy's matrix is in the better of two formats; NumPy's threads: {self.numpy_threads}."
+        )
         say()
-        table(["surface", "faces", "dt", "tolerance", "ours", "iterations", "SciPy's cg", "iterations", "ratio", "with assembly", "ratio"], rows)
+        table(
+            [
+                "surface",
+                "faces",
+                "dt",
+                "tolerance",
+                "ours",
+                "iterations",
+                "SciPy's cg",
+                "iterations",
+                "ratio",
+                "with assembly",
+                "ratio",
+            ],
+            rows,
+        )
         say("## The same systems in CHOLMOD")
         say()
-        say("Supernodal, on all cores, the better of METIS and AMD. Ours is the step solved to 1e-3; the ratio is that of factorization and solve to it.")
+        say(
+            "Supernodal, on all cores, the better of METIS and AMD. Ours is the step solved to 1e-3; the ratio is that of factorization and solve to it."
+        )
         say()
         table(["surface", "faces", "dt", "order", "analyze", "factorize", "solve", "ours", "ratio"], direct)
         if not self.quick:
-            say("Time of a step by the number of faces, 200 thousand to a million: " + ", ".join(
-                f"dt {dt:g}: exponent {exponent(by_faces):.2f}" for dt, by_faces in times.items()) + ".")
+            say(
+                "Time of a step by the number of faces, 200 thousand to a million: "
+                + ", ".join(f"dt {dt:g}: exponent {exponent(by_faces):.2f}" for dt, by_faces in times.items())
+                + "."
+            )
             say()
 
     def calibrate(self, arguments):
         """SciPy's results with NumPy's threads as they come or with one, whichever is faster, which is then kept."""
-        tried = {threads: self.python("linear_systems.py", "cg", *arguments, blas_threads=threads) for threads in (None, 1)}
-        total = lambda results: sum(median(solve["seconds"]) for result in results for solve in result["solves"])
-        self.blas_threads = min(tried, key=lambda threads: total(tried[threads]))
+        tried = {
+            threads: self.python("linear_systems.py", "cg", *arguments, blas_threads=threads) for threads in (None, 1)
+        }
+        total = {
+            threads: sum(median(solve["seconds"]) for result in results for solve in result["solves"])
+            for threads, results in tried.items()
+        }
+        self.blas_threads = min(total, key=total.get)
+        self.numpy_threads = (
+            f"one, which takes {total[1] / total[None]:.0%} of the time that they take as they come"
+            if self.blas_threads
+            else f"as they come, which takes {total[None] / total[1]:.0%} of the time of one"
+        )
         return tried[self.blas_threads]
 
     def paper(self):
         cases = [(f"torus-{c}", "torus", 0.025) for c in ("00", "01", "10", "11")]
-        cases.append((self.irregular, "sphere", 0.005))
+        cases += [(self.irregular, "short", 0.005), (self.irregular, "even", 0.005)]
         rows, parts = [], []
         for name, schedule, target in cases:
             folder = SCRATCH / f"{pathlib.Path(name).stem}-start"
@@ -198,19 +240,55 @@ class Bench:
             a, b = (median([result["seconds"] for result in results]) for results in (ours, theirs))
             mine, paper, end = ours[0], theirs[0], whole[0]
             result = lambda r: f"{r['l2_length_error']:.2%}, {r['rims']}, {r['pinch_points']}"
-            rows.append([
-                pathlib.Path(name).stem, mine["faces"], f"{target:.1%}", seconds(a), mine["steps"], result(mine), seconds(b), paper["steps"],
-                result(paper), f"{b / a:.1f}" if paper["arrived"] else f"({b / a:.1f}, did not arrive)",
-                seconds(median([r["seconds"] for r in whole])), result(end),
-            ])
-            shares = ", ".join(f"{key.replace('_', ' ')} {value / paper['seconds']:.0%}" for key, value in paper["parts"].items())
-            parts.append(f"{pathlib.Path(name).stem}: {paper['inner_iterations']} inner iterations; {shares}.")
+            rows.append(
+                [
+                    pathlib.Path(name).stem,
+                    mine["faces"],
+                    schedule,
+                    f"{target:.1%}",
+                    seconds(a),
+                    mine["steps"],
+                    result(mine),
+                    seconds(b),
+                    paper["steps"],
+                    result(paper),
+                    f"{b / a:.1f}" if paper["arrived"] else f"({b / a:.1f}, did not arrive)",
+                    seconds(median([r["seconds"] for r in whole])),
+                    result(end),
+                ]
+            )
+            shares = ", ".join(
+                f"{key.replace('_', ' ')} {value / paper['seconds']:.0%}" for key, value in paper["parts"].items()
+            )
+            parts.append(
+                f"{pathlib.Path(name).stem} ({schedule}): {paper['inner_iterations']} inner iterations; {shares}."
+            )
         say("## From random frames to a surface, against the paper's method in NumPy/SciPy")
         say()
-        say("The same lengths, spin connection and random frames; both stop when the L2 length error is below the target with neither rims nor pinch points. "
-            "Without imports and reading. Results are error, rims, pinch points. The last two columns are the run with default phases to its end.")
+        say(
+            "The same lengths, spin connection and random frames; both stop when the L2 length error is below the target with neither rims nor pinch points. "
+            "Without imports and reading. Results are error, rims, pinch points. The schedules of the paper's method are in `benches/paper_method.py`: "
+            "`short` is fitted to the bunny and the target, `even` is not. The last two columns are the run with default phases to its end."
+        )
         say()
-        table(["surface", "faces", "target", "ours", "steps", "result", "NumPy/SciPy", "steps", "result", "ratio", "ours to the end", "result"], rows)
+        table(
+            [
+                "surface",
+                "faces",
+                "schedule",
+                "target",
+                "ours",
+                "steps",
+                "result",
+                "NumPy/SciPy",
+                "steps",
+                "result",
+                "ratio",
+                "ours to the end",
+                "result",
+            ],
+            rows,
+        )
         say("Where NumPy/SciPy's time goes: " + " ".join(parts))
         say()
 
@@ -223,34 +301,70 @@ class Bench:
             peaks[faces] = run["peak_bytes"]
             in_phases = sum(phase["seconds"] for phase in run["phases"])
             per_step[faces] = in_phases / run["steps"]
-            rows.append([
-                stem + (" (5 steps a phase)" if large else ""), faces, seconds(run["seconds"]), seconds(run["setup_seconds"]), run["steps"], run["inner_iterations"],
-                run["restarts"], f"{run['l2_length_error']:.2%}, {run['rims']}, {run['pinch_points']}", seconds(per_step[faces]), f"{run['peak_bytes'] / MIB:.0f} MiB",
-            ])
+            rows.append(
+                [
+                    stem + (" (5 steps a phase)" if large else ""),
+                    faces,
+                    seconds(run["seconds"]),
+                    seconds(run["setup_seconds"]),
+                    run["steps"],
+                    run["inner_iterations"],
+                    run["restarts"],
+                    f"{run['l2_length_error']:.2%}, {run['rims']}, {run['pinch_points']}",
+                    seconds(per_step[faces]),
+                    f"{run['peak_bytes'] / MIB:.0f} MiB",
+                ]
+            )
             for number, phase in enumerate(run["phases"]):
                 if phase["steps"]:
-                    phase_rows.append([
-                        stem, faces, number + 1, phase["steps"], phase["inner_iterations"], f"{phase['inner_iterations'] / phase['steps']:.1f}",
-                        seconds(phase["seconds"]), seconds(phase["seconds"] / phase["steps"]),
-                    ])
+                    phase_rows.append(
+                        [
+                            stem,
+                            faces,
+                            number + 1,
+                            phase["steps"],
+                            phase["inner_iterations"],
+                            f"{phase['inner_iterations'] / phase['steps']:.1f}",
+                            seconds(phase["seconds"]),
+                            seconds(phase["seconds"] / phase["steps"]),
+                        ]
+                    )
         say("## Sizes")
         say()
-        say("Whole runs with default phases from random frames; the Poisson problem is factorized once a run, the system of a step once a step. "
-            "Peak memory is that of the whole process.")
+        say(
+            "Whole runs with default phases from random frames; the Poisson problem is factorized once a run, the system of a step once a step. "
+            "Peak memory is that of the whole process."
+        )
         say()
-        table(["surface", "faces", "whole", "set-up", "steps", "inner iterations", "restarts", "error, rims, pinch points", "a step", "peak memory"], rows)
+        table(
+            [
+                "surface",
+                "faces",
+                "whole",
+                "set-up",
+                "steps",
+                "inner iterations",
+                "restarts",
+                "error, rims, pinch points",
+                "a step",
+                "peak memory",
+            ],
+            rows,
+        )
         table(["surface", "faces", "phase", "steps", "inner iterations", "a step", "seconds", "a step"], phase_rows)
         if not self.quick:
             (small, large) = sorted(peaks)[-2:]
             each = (peaks[large] - peaks[small]) / (large - small)
             power = exponent(per_step)
-            say(f"Time of a step from {small} to {large} faces: exponent {power:.2f}. Memory: {each:.0f} bytes a face more, so that ten million faces take "
-                f"{(peaks[large] + each * (1e7 - large)) / 2**30:.1f} GiB, and a step {seconds(per_step[large] * (1e7 / large) ** power)}.")
+            say(
+                f"Time of a step from {small} to {large} faces: exponent {power:.2f}. Memory: {each:.0f} bytes a face more, so that ten million faces take "
+                f"{(peaks[large] + each * (1e7 - large)) / 2**30:.1f} GiB, and a step {seconds(per_step[large] * (1e7 / large) ** power)}."
+            )
             say()
 
     def threads(self):
         rows = []
-        for name in (["torus-10"] if self.quick else ["torus-10", self.irregular]):
+        for name in ["torus-10"] if self.quick else ["torus-10", self.irregular]:
             times = {1: [], CORES: []}
             for _ in range(1 if self.quick else 3):
                 for threads in times:
@@ -285,20 +399,22 @@ class Bench:
         simulate, render = timed("simulate", "film-parts"), timed("render", "film-parts")
         say(f"## A film: Ricci flow on a torus of 6200 faces, {frames} frames of 1920 x 1080 in the default look")
         say()
-        table(["`immerse run`", "a frame", "`simulate` alone", "`render` alone", "their sum"],
-              [[seconds(whole), seconds(whole / frames), seconds(simulate), seconds(render), seconds(simulate + render)]])
-
-
-def exponent(by_faces):
-    """p of time ~ faces^p between the two largest sizes."""
-    (small, a), (large, b) = sorted(by_faces.items())[-2:]
-    return math.log(b / a) / math.log(large / small)
+        table(
+            ["`immerse run`", "a frame", "`simulate` alone", "`render` alone", "their sum"],
+            [[seconds(whole), seconds(whole / frames), seconds(simulate), seconds(render), seconds(simulate + render)]],
+        )
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="benches/run.sh", description="Times everything and writes benches/RESULTS.md.")
+    parser = argparse.ArgumentParser(
+        prog="benches/run.sh", description="Times everything and writes benches/RESULTS.md."
+    )
     parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; all if none is named")
-    parser.add_argument("--mesh", type=os.path.abspath, help="the Stanford bunny, or another sphere, in place of a hare of the same size")
+    parser.add_argument(
+        "--mesh",
+        type=os.path.abspath,
+        help="the Stanford bunny, or another sphere, in place of a hare of the same size",
+    )
     parser.add_argument("--quick", action="store_true", help="small sizes, few repeats; writes below target/ only")
     parser.add_argument("--out", type=pathlib.Path, help="where the tables go")
     options = parser.parse_args()
