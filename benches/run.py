@@ -351,7 +351,7 @@ class Bench:
             ],
             rows,
         )
-        table(["surface", "faces", "phase", "steps", "inner iterations", "a step", "seconds", "a step"], phase_rows)
+        table(["surface", "faces", "phase", "steps", "inner iterations", "inner a step", "time", "time a step"], phase_rows)
         if not self.quick:
             (small, large) = sorted(peaks)[-2:]
             each = (peaks[large] - peaks[small]) / (large - small)

@@ -90,8 +90,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!(
             "{name:>12} {:>9.2} {:>6} {:>7} {:>8.3}% {:>11} {:>9.0}  {:.2}{parts}",
             number("seconds"),
-            value["steps"],
-            value["inner_iterations"],
+            value["steps"].to_string(),
+            value["inner_iterations"].to_string(),
             1e2 * number("l2_length_error"),
             number("rims") + number("pinch_points"),
             number("peak_bytes") / 1048576.0,
