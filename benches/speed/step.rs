@@ -1,0 +1,97 @@
+//! One gradient step at every Δt of the default phases, and the same systems for others to solve.
+
+use std::{error::Error, fs, path::Path, time::Instant};
+
+use glam::DQuat;
+use immerse::{
+    evolve::Simulation,
+    frames::{Shell, StepOptions, Stepper},
+};
+use serde_json::{Value, json};
+
+use super::{npy, scenes::scene};
+
+/// Steps that each phase takes before its systems are measured, so that they are those of a relaxation under way.
+const STEPS: usize = 5;
+/// Besides that of the phases; the last one shows what an iteration costs.
+const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+
+/// Writes what `paper_method.py` reads: triangles |F| × 3, the halfedges 3 f + k on the two sides of each edge (the second
+/// −1 on the boundary), edge lengths |E|, transports |E| × 2 (real, imaginary), frames |F| × 4 (w, x, y, z).
+pub fn write_problem(simulation: &Simulation, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let mesh = &simulation.mesh;
+    let (faces, edges) = (mesh.face_count(), mesh.edge_count());
+    fs::create_dir_all(folder)?;
+    npy::integers(folder, "triangles", &[faces, 3], mesh.triangles().into_iter().flatten().map(i64::from))?;
+    let sides = mesh.edges().flat_map(|edge| {
+        let named = mesh.edge_halfedge(edge);
+        [named.index() as i64, mesh.twin(named).map_or(-1, |twin| twin.index() as i64)]
+    });
+    npy::integers(folder, "edge_sides", &[edges, 2], sides)?;
+    npy::doubles(folder, "edge_lengths", &[edges], simulation.metric.edge_lengths().iter().copied())?;
+    let transports = simulation.spin.transports().iter().flat_map(|tau| [tau.re, tau.im]);
+    npy::doubles(folder, "transports", &[edges, 2], transports)?;
+    write_frames(folder, "frames", &simulation.frames)?;
+    Ok(())
+}
+
+fn write_frames(folder: &Path, name: &str, frames: &[DQuat]) -> std::io::Result<()> {
+    npy::doubles(folder, name, &[frames.len(), 4], frames.iter().flat_map(|q| [q.w, q.x, q.y, q.z]))
+}
+
+/// Bytes per face that an iteration of preconditioned conjugate gradients moves as the textbook has it, faces with three
+/// neighbours each: the matrix once and the factor once in each direction, 4×4 blocks of doubles with 4-byte column
+/// numbers, an off-diagonal block shared by two faces; and fifteen passes over vectors of four doubles, what can be done
+/// in one pass done in one (product and p·q: 2; x, r and |r|: 6; both sweeps and r·z: 4; p: 3).
+pub const BYTES_PER_ITERATION: f64 = {
+    let blocks = 128.0 + 1.5 * 128.0 + 3.0 * 4.0;
+    3.0 * blocks + 15.0 * 32.0
+};
+
+/// Times whole steps (assembly, factorization, solve), `repeats` times each, and if a folder is given writes the problem
+/// and the frames of each state there.
+pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, Box<dyn Error>> {
+    let simulation = Simulation::from_scene(&scene(name)?)?;
+    let shell = Shell::new(&simulation.mesh, &simulation.metric, &simulation.spin, None);
+    if let Some(folder) = folder {
+        write_problem(&simulation, folder)?;
+    }
+    let phases: Vec<StepOptions> =
+        simulation.phases.iter().map(|phase| StepOptions { crease: 0.0, ..phase.step }).collect();
+    let mut frames = simulation.frames.clone();
+    drop(simulation);
+    let mut stepper = Stepper::new(&shell);
+    let mut states = Vec::new();
+    for (number, options) in phases.iter().enumerate() {
+        for _ in 0..STEPS {
+            stepper.advance(&shell, options, &mut frames);
+        }
+        if phases[number + 1..].iter().any(|later| later.dt == options.dt) {
+            continue; // the last phase of each Δt has the least bending stiffness and is the hardest
+        }
+        let mut solves = Vec::new();
+        for tolerance in [&[options.solver_tolerance][..], &TOLERANCES].concat() {
+            let options = StepOptions { solver_tolerance: tolerance, ..*options };
+            let mut seconds = Vec::new();
+            let mut iterations = 0;
+            for _ in 0..repeats {
+                let mut after = frames.clone();
+                let begin = Instant::now();
+                iterations = stepper.advance(&shell, &options, &mut after).iterations;
+                seconds.push(begin.elapsed().as_secs_f64());
+            }
+            solves.push(json!({ "tolerance": tolerance, "iterations": iterations, "seconds": seconds }));
+        }
+        let state = format!("frames_dt{}", options.dt);
+        if let Some(folder) = folder {
+            write_frames(folder, &state, &frames)?;
+            let mut solved = frames.clone();
+            stepper.advance(&shell, &StepOptions { solver_tolerance: 1e-10, ..*options }, &mut solved);
+            write_frames(folder, &format!("solved_dt{}", options.dt), &solved)?;
+        }
+        states.push(json!({
+            "phase": number + 1, "dt": options.dt, "stiffness": options.stiffness, "frames": state, "solves": solves,
+        }));
+    }
+    Ok(json!({ "faces": shell.face_count(), "bytes_per_iteration": BYTES_PER_ITERATION, "states": states }))
+}
