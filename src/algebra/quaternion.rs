@@ -22,6 +22,40 @@ pub fn from_frame(n: DVec3, t: DVec3, b: DVec3) -> DQuat {
     DQuat::from_mat3(&DMat3::from_cols(n, t, b)).conjugate()
 }
 
+/// `conj(q) j q` and `conj(q) k q`, which span the tangent plane, for a unit quaternion.
+#[inline]
+pub fn tangents(q: DQuat) -> [DVec3; 2] {
+    let DQuat { x, y, z, w } = q;
+    [
+        DVec3::new(2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
+        DVec3::new(2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)),
+    ]
+}
+
+/// Of the two quaternions of [`from_frame`] the one with `⟨q, near⟩ ≥ 0`, for a unit quaternion `near`.
+#[inline(always)]
+pub fn from_frame_near(n: DVec3, t: DVec3, b: DVec3, near: DQuat) -> DQuat {
+    // The entries of 4 q qᵀ are sums of those of the rotation; times `near` that is 4 ⟨q, near⟩ q.
+    let (wx, wy, wz) = (b.y - t.z, n.z - b.x, t.x - n.y);
+    let (xy, xz, yz) = (n.y + t.x, n.z + b.x, t.z + b.y);
+    let DQuat { x, y, z, w } = near;
+    let projected = DQuat::from_xyzw(
+        (1.0 + n.x - t.y - b.z) * x + xy * y + xz * z + wx * w,
+        xy * x + (1.0 - n.x + t.y - b.z) * y + yz * z + wy * w,
+        xz * x + yz * y + (1.0 - n.x - t.y + b.z) * z + wz * w,
+        wx * x + wy * y + wz * z + (1.0 + n.x + t.y + b.z) * w,
+    );
+    let length = projected.length();
+    if length > 0.1 { projected * (1.0 / length) } else { far_from_frame(n, t, b, near) }
+}
+
+/// Where both are nearly orthogonal to `near`, too little is left of the projection.
+#[cold]
+fn far_from_frame(n: DVec3, t: DVec3, b: DVec3, near: DQuat) -> DQuat {
+    let q = from_frame(n, t, b);
+    if q.dot(near) < 0.0 { -q } else { q }
+}
+
 /// A vector as a purely imaginary quaternion.
 #[inline]
 pub fn imaginary(v: DVec3) -> DQuat {

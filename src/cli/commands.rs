@@ -83,10 +83,12 @@ fn report(outcome: Result<(), Failure>) -> ExitCode {
     }
 }
 
+/// Gives the program as many threads as it is asked to take.
 fn in_threads(arguments: &Arguments) -> Result<(), Failure> {
-    let Some(threads) = arguments.threads else { return execute(arguments) };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build()?;
-    pool.install(|| execute(arguments))
+    if let Some(threads) = arguments.threads {
+        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
+    }
+    execute(arguments)
 }
 
 fn execute(arguments: &Arguments) -> Result<(), Failure> {
@@ -151,8 +153,9 @@ fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
 fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut impl Write) -> Result<(), Failure> {
     let (mut scene, folder) = open(film)?;
     let frames = pictures.apply(&mut scene)?;
-    let simulated = pipeline::simulate(&scene, &folder, false, progress)?;
-    let rendered = pipeline::render_frames(&scene, &folder, &frames, progress)?;
+    let mut picturing = progress.below();
+    let [simulated, rendered] = pipeline::run(&scene, &folder, &frames, progress, &mut picturing)?;
+    picturing.clear();
     let inspection = Inspection::of(&folder)?;
     write_curves_of_film(&folder, &inspection)?;
     progress.clear();

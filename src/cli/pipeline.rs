@@ -8,7 +8,7 @@ use super::Progress;
 use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
 use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation};
-use crate::movie::{self, MovieError, Plan};
+use crate::movie::{self, Arrivals, MovieError, Plan};
 use crate::scene::{Scene, SceneError, SceneErrors};
 use crate::spin::SpinStructure;
 
@@ -117,11 +117,55 @@ fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
     }
 }
 
+/// Computes the frames that are not there yet and makes pictures of some, given by number in order, at the same time.
+/// Tells of both, in this order. If one fails the other ends; what is complete stays.
+///
+/// Must not be called on a thread of a pool: pictures wait for frames here, and frames are computed there.
+pub(super) fn run(
+    scene: &Scene,
+    folder: &Path,
+    frames: &[usize],
+    simulating: &mut dyn Progress,
+    picturing: &mut dyn Progress,
+) -> Result<[Summary; 2], PipelineError> {
+    let arrivals = Arrivals::default();
+    let mut simulated = None;
+    let pictured = rayon::in_place_scope(|scope| {
+        scope.spawn(|_| {
+            simulated = Some(simulate_for(scene, folder, false, &arrivals, simulating));
+            arrivals.end();
+        });
+        let watch = &mut |event| pass_on(event, picturing);
+        let made = movie::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch);
+        // Pictures may fail because no more frames come, but then frames failed first.
+        made.map_err(|error| (arrivals.stop(), error))
+    });
+    match (simulated, pictured) {
+        (Some(Err(error)), Ok(_) | Err((false, _))) => Err(error),
+        (_, Err((_, error))) => Err(error.into()),
+        (simulated, Ok(made)) => Ok([simulated.transpose()?.unwrap_or_default(), Summary { made, kept: 0 }]),
+    }
+}
+
 /// Computes the frames that are not there yet.
 pub(super) fn simulate(
     scene: &Scene,
     folder: &Path,
     restart: bool,
+    progress: &mut dyn Progress,
+) -> Result<Summary, PipelineError> {
+    // On a thread of the pool, where work in parallel begins and ends at less cost.
+    let mut summary = None;
+    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &Arrivals::default(), progress)));
+    summary.transpose().map(Option::unwrap_or_default)
+}
+
+/// As [`simulate`], for pictures that are made meanwhile.
+fn simulate_for(
+    scene: &Scene,
+    folder: &Path,
+    restart: bool,
+    arrivals: &Arrivals,
     progress: &mut dyn Progress,
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
@@ -152,9 +196,10 @@ pub(super) fn simulate(
         };
         simulation.resume(checkpoint).map_err(|error| at_fault(scene, error))?;
     }
+    arrivals.reach(kept);
     for number in kept + 1..=scene.clock.frames {
         let start = Instant::now();
-        let mut watcher = Watcher { progress: &mut *progress, phase: None, restarts };
+        let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None, restarts };
         let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
         let mut report = frame.report;
         restarts = report.cursor.restarts;
@@ -171,6 +216,7 @@ pub(super) fn simulate(
             rims,
             report,
         })?;
+        arrivals.reach(number);
     }
     Ok(Summary { made: scene.clock.frames - kept, kept })
 }
@@ -178,6 +224,7 @@ pub(super) fn simulate(
 /// Passes the progress of a relaxation on.
 struct Watcher<'a> {
     progress: &'a mut dyn Progress,
+    arrivals: &'a Arrivals,
     phase: Option<usize>,
     restarts: usize,
 }
@@ -203,7 +250,7 @@ impl Observer for Watcher<'_> {
                 now.frame, now.step, now.turn, now.tolerance
             ));
         }
-        ControlFlow::Continue(())
+        if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// Is told how far a run is.
 pub trait Progress: Send {
@@ -19,13 +19,21 @@ pub trait Progress: Send {
 /// A bar with stage, error and the time left. It draws itself only on a terminal.
 pub(super) struct Bar {
     bar: ProgressBar,
+    /// It and those that stand with it.
+    bars: MultiProgress,
     quiet: bool,
 }
 
 impl Bar {
     pub fn new(quiet: bool) -> Bar {
         let target = if quiet { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        Bar { bar: ProgressBar::with_draw_target(None, target), quiet }
+        let bars = MultiProgress::with_draw_target(target);
+        Bar { bar: bars.add(ProgressBar::no_length()), bars, quiet }
+    }
+
+    /// A second one below it, for what happens at the same time.
+    pub fn below(&self) -> Bar {
+        Bar { bar: self.bars.add(ProgressBar::no_length()), bars: self.bars.clone(), quiet: self.quiet }
     }
 
     /// Makes room for results on the same terminal.
@@ -60,7 +68,7 @@ impl Progress for Bar {
 
     fn note(&mut self, text: &str) {
         if !self.quiet {
-            self.bar.suspend(|| super::diagnostics::say(text));
+            self.bars.suspend(|| super::diagnostics::say(text));
         }
     }
 }

@@ -24,8 +24,10 @@ impl Discretization {
         bending_angles: Option<&[f64]>,
         pinned: &[VertexId],
     ) -> Result<Discretization, CholeskyError> {
-        let shell = Shell::new(mesh, metric, spin, bending_angles);
-        let poisson = Poisson::new(mesh, metric, pinned)?;
+        // Neither is made of many parts at once, so they are made side by side.
+        let (shell, poisson) =
+            rayon::join(|| Shell::new(mesh, metric, spin, bending_angles), || Poisson::new(mesh, metric, pinned));
+        let poisson = poisson?;
         // Periods are those of the surface without its pins.
         let separate = !pinned.is_empty() && homology.betti() > 0;
         let free = if separate { Some(Poisson::new(mesh, metric, &[])?) } else { None };

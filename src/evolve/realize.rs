@@ -5,11 +5,12 @@ use super::simulation::Previous;
 use super::{Frame, FrameReport, Simulation};
 use crate::frames::energy;
 use crate::immersion::*;
-use crate::mesh::{EdgeId, Mesh};
+use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::Metric;
 use crate::spin::class_digits;
 use glam::DVec3;
 use rayon::prelude::*;
+use std::collections::HashMap;
 
 impl Simulation {
     /// Rims and measures of the frames as they are and the positions they integrate to.
@@ -87,19 +88,33 @@ fn diameter(points: &[DVec3]) -> f64 {
     longest
 }
 
-/// Rims that appeared, vanished, and moved to an edge that shares a vertex.
+/// Rims that appeared, vanished, and moved to an edge that shares a vertex. Both lists are in order.
 fn rim_changes(mesh: &Mesh, before: &[EdgeId], after: &[EdgeId]) -> [usize; 3] {
-    let mut gone: Vec<EdgeId> = before.iter().filter(|e| !after.contains(e)).copied().collect();
+    let without = |list: &[EdgeId], others: &[EdgeId]| -> Vec<EdgeId> {
+        list.iter().filter(|e| others.binary_search(e).is_err()).copied().collect()
+    };
+    let gone = without(before, after);
+    // Which of those that are gone end at a vertex, the last one first.
+    let mut at_vertices: HashMap<VertexId, Vec<usize>> = HashMap::new();
+    for (k, e) in gone.iter().enumerate().rev() {
+        mesh.edge_vertices(*e).into_iter().for_each(|v| at_vertices.entry(v).or_default().push(k));
+    }
     let (mut born, mut moved) = (0, 0);
-    for e in after.iter().filter(|e| !before.contains(e)) {
-        let ends = mesh.edge_vertices(*e);
-        match gone.iter().position(|g| mesh.edge_vertices(*g).iter().any(|v| ends.contains(v))) {
+    let mut is_taken = vec![false; gone.len()];
+    for e in without(after, before) {
+        let mut first_at = |v| {
+            let list = at_vertices.get_mut(&v)?;
+            while list.pop_if(|k| is_taken[*k]).is_some() {}
+            list.last().copied()
+        };
+        let [a, b] = mesh.edge_vertices(e).map(&mut first_at);
+        match [a, b].into_iter().flatten().min() {
             Some(k) => {
-                gone.swap_remove(k);
+                is_taken[k] = true;
                 moved += 1;
             }
             None => born += 1,
         }
     }
-    [born, gone.len(), moved]
+    [born, gone.len() - moved, moved]
 }

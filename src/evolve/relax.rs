@@ -6,6 +6,7 @@ use crate::algebra::SolveReport;
 use crate::frames::{Shell, random_frames};
 use crate::immersion::*;
 use glam::{DQuat, DVec3};
+use rayon::prelude::*;
 
 /// How often frames are drawn anew at most.
 const MAX_RESTARTS: usize = 4;
@@ -160,12 +161,13 @@ impl Simulation {
     }
 }
 
-/// λ ← normalize((1 − t) λ + t λ*) with t = 1 − (1 − amount)^(Ā/A), which is `1 − exp(−Δt/(a A))` of Alg. 8 with
-/// a chosen such that a face of mean area Ā moves by `amount`.
+/// λ ← normalize((1 − t) λ + t λ*) with 1 − t = (1 − amount)^(Ā/A), the `exp(−Δt/(a A))` of Alg. 8 with a chosen such
+/// that a face of mean area Ā moves by `amount`.
 fn blend(shell: &Shell, frames: &mut [DQuat], target: &[DQuat], amount: f64) {
-    let mean = shell.mean_face_area();
-    for ((frame, target), area) in frames.iter_mut().zip(target).zip(&shell.face_areas) {
-        let t = 1.0 - libm::pow(1.0 - amount, mean / area);
-        *frame = (*frame * (1.0 - t) + *target * t).normalize();
-    }
+    let rate = libm::log(1.0 - amount) * shell.mean_face_area();
+    let faces = frames.par_iter_mut().with_min_len(1024).zip(target).zip(&shell.face_areas);
+    faces.for_each(|((frame, target), area)| {
+        let stay = libm::exp(rate / area);
+        *frame = (*target + (*frame - *target) * stay).normalize();
+    });
 }

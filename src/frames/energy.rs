@@ -3,6 +3,7 @@
 use super::{Hinge, Shell};
 use crate::algebra::quaternion;
 use glam::DQuat;
+use rayon::prelude::*;
 
 /// Weights (ε_0, ε_1, ε_2, ε_3) of length, bending, rotation about the normal, and torsion (Eq. 20).
 pub type Stiffness = [f64; 4];
@@ -55,7 +56,7 @@ pub fn hinge_energies(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> 
         let terms = axes(hinge).map(|u| strain.along(u).powi(2));
         0.5 * hinge.weight * (0..4).map(|k| stiffness[k] * terms[k]).sum::<f64>()
     };
-    shell.hinges.iter().map(of_hinge).collect()
+    shell.hinges.par_iter().with_min_len(256).map(of_hinge).collect()
 }
 
 /// How far a crease is beyond [`CREASE_ANGLE`], as a bending strain with sign; 0 if it is not.
@@ -88,7 +89,7 @@ pub fn strains(shell: &Shell, frames: &[DQuat]) -> Vec<[f64; 3]> {
         let [_, bending, rotation, torsion] = axes(hinge).map(|u| strain.along(u));
         [bending, rotation, torsion]
     };
-    shell.hinges.iter().map(of_hinge).collect()
+    shell.hinges.par_iter().with_min_len(256).map(of_hinge).collect()
 }
 
 /// A gradient in ℝ⁴ per face, in two parts.

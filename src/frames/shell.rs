@@ -43,6 +43,7 @@ pub struct Shell {
     pub face_areas: Vec<f64>,
     /// Per face: its up to three hinges in halfedge order, and whether the face is side `i` of it.
     pub face_hinges: Vec<[Option<(u32, bool)>; 3]>,
+    mean_face_area: f64,
 }
 
 impl Shell {
@@ -76,7 +77,8 @@ impl Shell {
                 weight: metric.dual_weight(e),
             });
         }
-        Shell { hinges, face_areas: metric.face_areas().to_vec(), face_hinges }
+        let mean_face_area = metric.mean_face_area();
+        Shell { hinges, face_areas: metric.face_areas().to_vec(), face_hinges, mean_face_area }
     }
 
     /// Number of faces.
@@ -86,6 +88,6 @@ impl Shell {
 
     /// Mean face area, the unit of time steps.
     pub fn mean_face_area(&self) -> f64 {
-        self.face_areas.iter().sum::<f64>() / self.face_count() as f64
+        self.mean_face_area
     }
 }

@@ -9,27 +9,27 @@ use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 use std::collections::VecDeque;
 
-/// `ω_i(v)` for a halfedge of face `i` (Eq. 10): the edge vector as the face's own frame sees it.
-#[inline]
-pub fn halfedge_vector(mesh: &Mesh, metric: &Metric, frames: &[DQuat], h: HalfedgeId) -> DVec3 {
-    let z = metric.direction(h);
-    metric.length(mesh.edge(h)) * quaternion::rotate(frames[h.face().index()], DVec3::new(0.0, z.re, z.im))
+/// The averaged edge vectors v̂ (Eq. 41), |E|, each in the direction of its edge: the mean of `ω_i(v)` (Eq. 10) of the
+/// faces on its sides, the edge vector as each one's own frame sees it.
+pub fn edge_vectors(mesh: &Mesh, metric: &Metric, frames: &[DQuat]) -> Vec<DVec3> {
+    let tangents: Vec<[DVec3; 2]> = frames.par_iter().with_min_len(TASK).map(|q| quaternion::tangents(*q)).collect();
+    let direction = |h: HalfedgeId| {
+        let (z, [x, y]) = (metric.direction(h), tangents[h.face().index()]);
+        z.re * x + z.im * y
+    };
+    let vector = |e: usize| {
+        let e = EdgeId::new(e);
+        let h = mesh.edge_halfedge(e);
+        match mesh.twin(h) {
+            None => metric.length(e) * direction(h),
+            Some(twin) => 0.5 * metric.length(e) * (direction(h) - direction(twin)),
+        }
+    };
+    (0..mesh.edge_count()).into_par_iter().with_min_len(TASK).map(vector).collect()
 }
 
-/// The averaged edge vectors v̂ (Eq. 41), |E|, each in the direction of its edge.
-pub fn edge_vectors(mesh: &Mesh, metric: &Metric, frames: &[DQuat]) -> Vec<DVec3> {
-    (0..mesh.edge_count())
-        .into_par_iter()
-        .map(|e| {
-            let h = mesh.edge_halfedge(crate::mesh::EdgeId::new(e));
-            let here = halfedge_vector(mesh, metric, frames, h);
-            match mesh.twin(h) {
-                None => here,
-                Some(twin) => 0.5 * (here - halfedge_vector(mesh, metric, frames, twin)),
-            }
-        })
-        .collect()
-}
+/// Faces or edges that are worth a task of their own.
+const TASK: usize = 1024;
 
 /// Harmonic 1-forms: closed, and orthogonal to all differentials of functions. What v̂ has of them are its periods,
 /// the displacements by which the surface fails to close up along generators.

@@ -1,5 +1,6 @@
 //! What a realized surface is worth: length error, rims, pinch points, class.
 
+use crate::algebra::inner_product;
 use crate::frames::Shell;
 use crate::mesh::{EdgeId, HalfedgeId, Mesh, VertexId};
 use crate::metric::Metric;
@@ -22,8 +23,11 @@ pub struct LengthError {
 
 /// Relative length errors of all edges, |E|, signed.
 pub fn length_errors(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> Vec<f64> {
-    mesh.edges()
+    (0..mesh.edge_count())
+        .into_par_iter()
+        .with_min_len(TASK)
         .map(|e| {
+            let e = EdgeId::new(e);
             let [a, b] = mesh.edge_vertices(e).map(|v| positions[v.index()]);
             (b - a).length() / metric.length(e) - 1.0
         })
@@ -35,7 +39,7 @@ pub fn length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> Length
     let errors = length_errors(mesh, metric, positions);
     let l2 = root_mean_square(&errors);
     let mut sizes: Vec<f64> = errors.into_iter().map(f64::abs).collect();
-    sizes.sort_unstable_by(f64::total_cmp);
+    sizes.par_sort_unstable_by(f64::total_cmp);
     let quantile = |q: f64| sizes[((sizes.len() - 1) as f64 * q).round() as usize];
     LengthError { l2, max: quantile(1.0), median: quantile(0.5), p95: quantile(0.95) }
 }
@@ -46,12 +50,13 @@ pub fn l2_length_error(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> f64
 }
 
 fn root_mean_square(values: &[f64]) -> f64 {
-    (values.iter().map(|x| x * x).sum::<f64>() / values.len() as f64).sqrt()
+    (inner_product(values, values, |a, b| a * b) / values.len() as f64).sqrt()
 }
 
 /// Edges with rim bit 1 (Def. 4.1): frames in opposite hemispheres after transport.
 pub fn rims(shell: &Shell, frames: &[DQuat]) -> Vec<EdgeId> {
-    shell.hinges.iter().filter(|hinge| hinge.is_rim(frames)).map(|hinge| hinge.edge).collect()
+    let hinges = shell.hinges.par_iter().with_min_len(TASK);
+    hinges.filter(|hinge| hinge.is_rim(frames)).map(|hinge| hinge.edge).collect()
 }
 
 /// q_f of a closed strip under a map given by vertex positions (Def. 2.3): true for figure-8.
@@ -92,8 +97,11 @@ pub fn bending_angles(mesh: &Mesh, positions: &[DVec3]) -> Vec<f64> {
         let [a, b, c] = mesh.corners(h.face()).map(|v| positions[v.index()]);
         (b - a).cross(c - a).normalize_or_zero()
     };
-    mesh.edges()
+    (0..mesh.edge_count())
+        .into_par_iter()
+        .with_min_len(TASK)
         .map(|e| {
+            let e = EdgeId::new(e);
             let Some([h, twin]) = mesh.edge_sides(e) else { return 0.0 };
             let (ni, nj) = (normal(h), normal(twin));
             let along = (positions[mesh.tip(h).index()] - positions[mesh.tail(h).index()]).normalize_or_zero();
@@ -103,15 +111,14 @@ pub fn bending_angles(mesh: &Mesh, positions: &[DVec3]) -> Vec<f64> {
         .collect()
 }
 
-/// Mean turn between two frame fields in radians, weighted by area.
+/// Mean turn between two fields of unit frames in radians, weighted by area.
 pub fn mean_turn(shell: &Shell, before: &[DQuat], after: &[DQuat]) -> f64 {
-    let total: f64 = shell.face_areas.iter().sum();
-    let sum: f64 = (0..before.len())
-        .map(|f| {
-            let relative = before[f].conjugate() * after[f];
-            let sine = DVec3::new(relative.x, relative.y, relative.z).length();
-            shell.face_areas[f] * 2.0 * libm::atan2(sine, relative.w)
-        })
-        .sum();
-    sum / total
+    // |λ' − λ| = 2 sin(α/4), since quaternions turn by half the angle.
+    let turn = |(a, b): (&DQuat, &DQuat)| 4.0 * libm::asin((0.5 * (*b - *a).length()).min(1.0));
+    let turns: Vec<f64> = before.par_iter().with_min_len(TASK).zip(after).map(turn).collect();
+    let total = inner_product(&turns, &shell.face_areas, |turn, area| turn * area);
+    total / (shell.mean_face_area() * shell.face_count() as f64)
 }
+
+/// Edges or faces that are worth a task of their own.
+const TASK: usize = 1024;

@@ -19,7 +19,7 @@ pub use bending::{BendingError, TargetBending};
 pub use conformal_factor::ConformalFactor;
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
-pub use edge_vectors::{Periods, edge_vectors, halfedge_vector};
+pub use edge_vectors::{Periods, edge_vectors};
 pub use fields::{FieldInput, FieldValues, Fields};
 pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
@@ -28,5 +28,5 @@ pub use measure::{
 };
 pub use pins::{PinError, Pins};
 pub use poisson::Poisson;
-pub use polar::{frames_of_edge_vectors, frames_of_positions, rotation_part};
+pub use polar::{frames_of_edge_vectors, frames_of_positions};
 pub use spin_of_immersion::{rimless_frames, spin_from_scene, spin_of_immersion};

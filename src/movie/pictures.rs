@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::{
-    MovieError, Plan,
+    Arrivals, MovieError, Plan,
     animation::{Animation, Reeling, begin},
     gif::Palette,
     in_order::in_order,
@@ -15,7 +15,7 @@ use super::{
 };
 use crate::{
     render::{Extent, Film, Metadata, Output, Png},
-    scene::{AnimationFormat, LookName, LookSection, Scene},
+    scene::{AnimationFormat, Framed, LookName, LookSection, Scene},
 };
 
 /// What happens while pictures are made.
@@ -45,8 +45,8 @@ const PALETTE_FRAMES: usize = 8;
 const PALETTE_SIDE: usize = 320;
 
 /// A film that was passed over once.
-struct Survey {
-    reel: Reel,
+struct Survey<'a> {
+    reel: Reel<'a>,
     subject: Subject,
     extent: Extent,
     spreads: Spreads,
@@ -58,8 +58,23 @@ struct Survey {
 /// # Errors
 /// [`MovieError`]; pictures that are finished stay, and none is left unfinished.
 pub fn make_pictures(scene: &Scene, folder: &Path, frames: &[usize], watch: &mut Watch) -> Result<usize, MovieError> {
+    make_pictures_of_arrivals(scene, folder, frames, &Arrivals::over(), watch)
+}
+
+/// As [`make_pictures`], of frames that are still being computed: each is passed over, and pictures of it are made, as
+/// soon as it is there and the camera and all that holds for the whole film are known.
+///
+/// # Errors
+/// As [`make_pictures`], and [`MovieError::NoSuchFrame`] if no more frames come.
+pub fn make_pictures_of_arrivals(
+    scene: &Scene,
+    folder: &Path,
+    frames: &[usize],
+    arrivals: &Arrivals,
+    watch: &mut Watch,
+) -> Result<usize, MovieError> {
     let plan = Plan::of(scene)?;
-    let mut survey = survey(&plan, folder, frames, watch)?;
+    let mut survey = survey(&plan, folder, frames, arrivals, watch)?;
     if plan.png.is_some() || plan.output.has_layers() || !scene.output.animation.is_empty() {
         film(&plan, &mut survey, folder, frames, watch)?;
     }
@@ -79,7 +94,8 @@ pub fn make_pictures(scene: &Scene, folder: &Path, frames: &[usize], watch: &mut
 pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), MovieError> {
     let plan = Plan::of(scene)?;
     let frames: Vec<usize> = (1..=scene.clock.frames).collect();
-    let mut survey = survey(&plan, folder, &frames, watch)?;
+    let arrivals = Arrivals::over();
+    let mut survey = survey(&plan, folder, &frames, &arrivals, watch)?;
     let count = if scene.output.sheet > 0 { scene.output.sheet } else { POSTER_FRAMES };
     let chosen = evenly(&frames, count, plan.clock.is_looping());
     let still = scaled(plan.size(), POSTER_SIDE);
@@ -100,7 +116,8 @@ pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Wa
     for (index, (_, preset)) in LookName::ALL.into_iter().enumerate() {
         let scene = Scene { look: LookSection { preset, ..LookSection::default() }, ..scene.clone() };
         let plan = Plan::of(&scene)?;
-        let mut survey = survey(&plan, folder, &last, watch)?;
+        let arrivals = Arrivals::over();
+        let mut survey = survey(&plan, folder, &last, &arrivals, watch)?;
         let (film, sheet) = whole.get_or_insert_with(|| {
             let sheet = Sheet::of(LookName::ALL.len(), plan.size(), SHEET_WIDTH);
             let [width, height] = sheet.size();
@@ -114,14 +131,23 @@ pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Wa
     whole.map_or(Ok(()), |(film, _)| Ok(film.write_png(path, png, &metadata)?))
 }
 
-/// Passes over all frames, and makes sure that the wanted ones are there.
-fn survey(plan: &Plan, folder: &Path, frames: &[usize], watch: &mut Watch) -> Result<Survey, MovieError> {
-    let reel = Reel::open(folder)?;
+/// Passes over all frames, or the first one if nothing depends on the others, and makes sure that the wanted ones are
+/// there if it comes by them.
+fn survey<'a>(
+    plan: &Plan,
+    folder: &Path,
+    frames: &[usize],
+    arrivals: &'a Arrivals,
+    watch: &mut Watch,
+) -> Result<Survey<'a>, MovieError> {
+    let reel = Reel::open(folder, arrivals)?;
     let subject = Subject::of(plan, reel.cache())?;
-    watch(Event::Begin("camera", reel.cache().manifest().frame_count));
+    let depends_on_all = plan.scene.camera.framed == Framed::Film || subject.spreads_matter(plan);
+    let count = if depends_on_all { reel.cache().manifest().frame_count } else { 1 };
+    watch(Event::Begin("camera", count));
     let at_a_time = at_a_time(reel.frame_bytes());
-    let (ready, extent, spreads) = reel.pass(plan, &subject, at_a_time, |frame| watch(Event::Done(frame)))?;
-    match frames.iter().find(|&&frame| frame > ready) {
+    let (ready, extent, spreads) = reel.pass(plan, &subject, count, at_a_time, |frame| watch(Event::Done(frame)))?;
+    match frames.iter().find(|&&frame| ready < count && frame > ready) {
         Some(&frame) => Err(MovieError::NoSuchFrame { folder: folder.to_owned(), frame }),
         None => Ok(Survey { reel, subject, extent, spreads }),
     }
@@ -197,7 +223,7 @@ fn shoot<T: Send>(
             here.iter().copied().chain(here.iter().filter_map(|&frame| after(frame))).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        Ok(reel.load(&wanted)?)
+        reel.load(&wanted)
     };
     let make = |states: &States, index: usize| {
         let number = frames[index];

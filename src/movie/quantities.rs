@@ -93,12 +93,22 @@ impl Measures {
         })
     }
 
+    /// Whether the look depends on how the values of all frames are spread.
+    pub fn spreads_matter(&self, plan: &Plan) -> bool {
+        self.free_color(plan).is_some() || matches!(self.along, Along::Field(..))
+    }
+
+    /// The field that is shown as colour, if its spread over the film is shown too.
+    fn free_color(&self, plan: &Plan) -> Option<FieldName> {
+        let is_free = plan.scene.look.color.as_ref().is_none_or(|color| color.range.is_none() || color.legend);
+        self.color.filter(|_| is_free)
+    }
+
     /// How the values of a frame are spread, as far as the look depends on it.
     pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &FrameState) -> Result<Spreads, MovieError> {
         let mut spreads = Spreads::default();
         let basis = self.basis(mesh, state)?;
-        let is_free = plan.scene.look.color.as_ref().is_none_or(|color| color.range.is_none() || color.legend);
-        if let Some(name) = self.color.filter(|_| is_free)
+        if let Some(name) = self.free_color(plan)
             && let Some(values) = self.values(&basis, name, state)?
         {
             spreads.color.add(&values);

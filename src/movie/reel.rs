@@ -4,7 +4,7 @@ use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use rayon::prelude::*;
 
-use super::{MovieError, Plan, quantities::Spreads, subject::Subject};
+use super::{Arrivals, MovieError, Plan, quantities::Spreads, subject::Subject};
 use crate::{
     cache::{Cache, CacheError, FrameState},
     render::Extent,
@@ -15,14 +15,34 @@ pub(super) type States = BTreeMap<usize, Arc<FrameState>>;
 
 /// The frames of a film.
 #[derive(Debug)]
-pub(super) struct Reel {
+pub(super) struct Reel<'a> {
     cache: Cache,
     states: States,
+    arrivals: &'a Arrivals,
 }
 
-impl Reel {
-    pub fn open(folder: &Path) -> Result<Reel, CacheError> {
-        Ok(Reel { cache: Cache::open(folder)?, states: BTreeMap::new() })
+impl Reel<'_> {
+    /// Opens a film when its first frame is there.
+    ///
+    /// # Errors
+    /// [`MovieError::NoSuchFrame`] if none comes, [`MovieError::Cache`] if there is no film.
+    pub fn open<'a>(folder: &Path, arrivals: &'a Arrivals) -> Result<Reel<'a>, MovieError> {
+        if !arrivals.wait_for(1) {
+            return Err(MovieError::NoSuchFrame { folder: folder.to_owned(), frame: 1 });
+        }
+        Ok(Reel { cache: Cache::open(folder)?, states: BTreeMap::new(), arrivals })
+    }
+
+    /// Waits for the last of these frames.
+    fn wait_for(&self, frames: &[usize]) -> Result<(), MovieError> {
+        match frames.last() {
+            Some(&frame) if !self.arrivals.wait_for(frame) => Err(self.no_such(frame)),
+            _ => Ok(()),
+        }
+    }
+
+    fn no_such(&self, frame: usize) -> MovieError {
+        MovieError::NoSuchFrame { folder: self.cache.folder().to_owned(), frame }
     }
 
     pub fn cache(&self) -> &Cache {
@@ -35,29 +55,40 @@ impl Reel {
         24 * counts.vertices + 25 * counts.edges + 32 * counts.faces
     }
 
-    /// These frames (in order, each once), of which those of the last call are not read again. All others are let go.
-    pub fn load(&mut self, frames: &[usize]) -> Result<States, CacheError> {
+    /// These frames (in order, each once) when they are there, of which those of the last call are not read again. All
+    /// others are let go.
+    ///
+    /// # Errors
+    /// [`MovieError::NoSuchFrame`] if no more will come.
+    pub fn load(&mut self, frames: &[usize]) -> Result<States, MovieError> {
+        self.wait_for(frames)?;
         self.states.retain(|frame, _| frames.contains(frame));
         let missing: Vec<usize> = frames.iter().copied().filter(|frame| !self.states.contains_key(frame)).collect();
         let read: Vec<_> = missing.par_iter().map(|&frame| self.cache.read_frame(frame)).collect();
         for (frame, state) in missing.into_iter().zip(read) {
-            self.states.insert(frame, Arc::new(state?));
+            let state = state.map_err(|error| match error {
+                CacheError::Missing { .. } => self.no_such(frame),
+                error => error.into(),
+            })?;
+            self.states.insert(frame, Arc::new(state));
         }
         Ok(self.states.clone())
     }
 
-    /// Passes over all frames up to the last one before which every frame is there and verifies, and returns its
-    /// number (0 if none is), the extent of them all and how their values are spread.
+    /// Passes over so many frames as they come, up to the last one before which every frame is there and verifies, and
+    /// returns its number (0 if none is), the extent of them all and how their values are spread.
     pub fn pass(
         &self,
         plan: &Plan,
         subject: &Subject,
+        count: usize,
         at_a_time: usize,
         mut advance: impl FnMut(usize),
     ) -> Result<(usize, Extent, Spreads), MovieError> {
         let (mut whole, mut spreads) = (Extent::default(), Spreads::default());
-        let frames: Vec<usize> = (1..=self.cache.manifest().frame_count).collect();
+        let frames: Vec<usize> = (1..=count).collect();
         for some in frames.chunks(at_a_time.max(1)) {
+            self.wait_for(some)?;
             let look_at = |&frame: &usize| -> Result<(Extent, Spreads), MovieError> {
                 let state = self.cache.read_frame(frame)?;
                 Ok((Extent::of(&subject.positions(&state)), subject.spreads(plan, &state)?))

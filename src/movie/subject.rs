@@ -115,6 +115,11 @@ impl Subject {
         positions
     }
 
+    /// Whether the look depends on how the values of all frames are spread.
+    pub fn spreads_matter(&self, plan: &Plan) -> bool {
+        self.measures.spreads_matter(plan)
+    }
+
     /// How the values of a frame are spread, as far as the look depends on it.
     pub fn spreads(&self, plan: &Plan, state: &FrameState) -> Result<Spreads, MovieError> {
         self.measures.spreads(plan, &self.mesh, state)

@@ -81,6 +81,11 @@ impl Ground {
     fn darkness_of(&self, texel: usize, occluder: &Occluder, key: Option<Vec3A>, points: &[[f32; 2]]) -> f32 {
         let place = |index: usize| ((index as f32 + 0.5) / SIDE as f32 * 2.0 - 1.0) * REACH;
         let (x, y) = (place(texel % SIDE), place(texel / SIDE));
+        // Nothing is left of the shadow at the border of the square.
+        let away = (x * x + y * y).sqrt() / REACH;
+        if away >= 1.0 {
+            return 0.0;
+        }
         let point = self.origin + self.axes[0] * x + self.axes[1] * y + self.normal * 1e-3;
         let turn = scrambled_turn(texel as u32);
         let mean =
@@ -97,8 +102,6 @@ impl Ground {
                 f32::from(occluder.blocks(point, direction))
             })
         });
-        // Nothing is left of the shadow at the border of the square.
-        let away = (x * x + y * y).sqrt() / REACH;
         let fade = ((1.0 - away) / 0.35).clamp(0.0, 1.0);
         (1.0 - (1.0 - KEY_SHARE * key) * (1.0 - SKY_SHARE * sky)) * fade * fade * (3.0 - 2.0 * fade)
     }

@@ -51,8 +51,11 @@ const LIGHT_RADIUS: f32 = 0.08;
 const LIFT: f32 = 1e-3;
 /// Shadow rays rise above the surface by at least this sine, so that a coarse mesh does not shade itself.
 const LEAST_RISE: f32 = 0.15;
-/// Faces with an edge longer than this many pixels are always looked at pixel by pixel.
+/// Faces with an edge longer than this many pixels are looked at between their corners too, at points this far apart;
 const LARGE_FACE: f32 = 48.0;
+const PROBES_APART: f32 = 24.0;
+/// … and pixel by pixel, if that would be more points along an edge than this.
+const MOST_PROBES: f32 = 32.0;
 
 impl Visibility {
     pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
@@ -154,20 +157,54 @@ impl Visibility {
                 around[vertex as usize][side] = widen(around[vertex as usize][side], range);
             }
         }
-        over_faces(&around)
-            .iter()
-            .zip(&stage.faces)
-            .map(|([low, high], corners)| {
-                let pixels = corners.map(|vertex| stage.pixels[vertex as usize]);
-                let small = (0..3).all(|k| pixels[k].distance(pixels[(k + 1) % 3]) < LARGE_FACE);
-                match (*low, *high) {
-                    (low, high) if small && low > high => Shade::Lit,
-                    (low, _) if small && low >= 1.0 => Shade::Lit,
-                    (_, high) if small && high <= 0.0 => Shade::Dark,
-                    _ => Shade::Mixed,
+        let ranges = over_faces(&around);
+        ranges
+            .par_iter()
+            .enumerate()
+            .with_min_len(64)
+            .map(|(face, &range)| {
+                let pixels = stage.faces[face].map(|vertex| stage.pixels[vertex as usize]);
+                let longest = (0..3).map(|k| pixels[k].distance(pixels[(k + 1) % 3])).fold(0.0, f32::max);
+                let parts = (longest / PROBES_APART).ceil();
+                match shade_of(range) {
+                    Shade::Mixed => Shade::Mixed,
+                    shade if longest < LARGE_FACE => shade,
+                    _ if parts.is_nan() || parts > MOST_PROBES => Shade::Mixed,
+                    _ => shade_of(self.range_within(stage, light, face, parts as usize, range)),
                 }
             })
             .collect()
+    }
+
+    /// The range of shares of a light at the corners of a face, widened by those at the points of a grid that cuts
+    /// its edges into so many parts.
+    fn range_within(&self, stage: &Stage, light: &Light, face: usize, parts: usize, range: [f32; 2]) -> [f32; 2] {
+        let corners = stage.faces[face].map(|vertex| vertex as usize);
+        let side = usize::from(!stage.shows_front[face]);
+        let mut range = range;
+        for (i, j) in (0..=parts).flat_map(|i| (0..=parts - i).map(move |j| (i, j))) {
+            let weights = [i, j, parts - i - j].map(|part| part as f32 / parts as f32);
+            let blend = |values: &[Vec3A]| (0..3).map(|k| values[corners[k]] * weights[k]).sum::<Vec3A>();
+            let normal = side_normal(blend(&stage.normals).normalize_or_zero(), side);
+            if normal.dot(light.direction) > -light.wrap {
+                let turn = scrambled_turn((face * 1024 + i * 32 + j) as u32);
+                let share = self.light_seen(light, blend(&stage.positions), normal, turn);
+                range = [range[0].min(share), range[1].max(share)];
+                if shade_of(range) == Shade::Mixed {
+                    break;
+                }
+            }
+        }
+        range
+    }
+}
+
+/// What the least and the greatest share of a light say; no light arrives where the least is above the greatest.
+fn shade_of([low, high]: [f32; 2]) -> Shade {
+    match (low, high) {
+        (low, high) if low > high || low >= 1.0 => Shade::Lit,
+        (_, high) if high <= 0.0 => Shade::Dark,
+        _ => Shade::Mixed,
     }
 }
 

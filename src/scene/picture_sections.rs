@@ -36,6 +36,14 @@ pub(super) fn camera(table: &mut Table) -> CameraSection {
             .at_least(1.0)
             .at_most(64.0)
             .or(8),
+        framed: table
+            .choice(
+                "framed",
+                "What the picture has room for: all of the \"film\" (the default), or its \"first\" frame, so that pictures \
+                 are made while the simulation goes on, unless colours wait for their range.",
+                &[("film", Framed::Film), ("first", Framed::First)],
+            )
+            .unwrap_or_default(),
     };
     not_zero(table, "direction", camera.direction);
     not_zero(table, "up", camera.up);

@@ -25,6 +25,18 @@ pub struct CameraSection {
     pub shutter: f64,
     /// Pictures that are averaged into one while the shutter is open.
     pub shutter_samples: usize,
+    /// What the camera is set up to see.
+    pub framed: Framed,
+}
+
+/// What a camera is set up to see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Framed {
+    /// All frames of the film.
+    #[default]
+    Film,
+    /// The first frame, so that pictures can be made before the last one is computed.
+    First,
 }
 
 impl Default for CameraSection {
@@ -40,6 +52,7 @@ impl Default for CameraSection {
             ease: Ease::default(),
             shutter: 0.0,
             shutter_samples: 8,
+            framed: Framed::Film,
         }
     }
 }
