@@ -104,7 +104,7 @@ impl Stepper {
             frames,
             lengths: lengths.as_deref(),
         };
-        let Self { pattern, single, double, solution } = self;
+        let Self { pattern, single, double, solution, .. } = self;
         let newton = options.method == Method::Newton;
         let tolerance = options.solver_tolerance;
         let is_single_enough = tolerance >= SINGLE_TOLERANCE && options.dt <= SINGLE_DT;
@@ -124,7 +124,6 @@ impl Stepper {
         });
         report
     }
-}
 
     /// The factorized matrix of isotropic steps, made where it is not there or another one; `None` where it does not
     /// serve.
@@ -137,19 +136,8 @@ impl Stepper {
         }
         self.isotropic.as_ref()
     }
+}
 
-    /// Turns the system into that of Alg. 6: unknowns Δλ_i = λ_i δ_i with δ imaginary, which solves the
-    /// constraint J Δλ = 0, and right side −(Lλ + g).
-    fn tangent_system(&mut self, shell: &Shell, stiffness: Stiffness, dt: f64, frames: &[DQuat]) {
-        let force = gradient(shell, stiffness, frames);
-        let tangent = DMat4::from_diagonal(DVec4::new(1.0, 1.0, 1.0, 0.0));
-        let radial = DMat4::from_diagonal(DVec4::W);
-        let matrix = &mut self.system.matrix;
-        matrix.diagonal.iter_mut().for_each(|m| *m = tangent * *m * tangent + radial);
-        matrix.off_diagonal.iter_mut().for_each(|m| *m = tangent * *m * tangent);
-        for (f, b) in self.system.right_side.iter_mut().enumerate() {
-            let force = frames[f].conjugate() * (force.linear[f] + force.curved[f]);
-            *b = tangent * DVec4::from(force) * -dt;
 impl<B: Block> Solver<B> {
     fn solve(
         &mut self,
