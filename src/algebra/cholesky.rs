@@ -73,10 +73,15 @@ impl<T: ComplexField> SparseCholesky<T> {
 impl SparseCholesky<f64> {
     /// Solves for one 3-vector per unknown, in place.
     pub fn solve(&self, x: &mut [DVec3]) {
-        let mut columns = Mat::from_fn(x.len(), 3, |row, column| x[row][column]);
-        self.solve_columns(&mut columns);
+        let columns = |first: usize, count: usize| {
+            let mut columns = Mat::from_fn(x.len(), count, |row, column| x[row][first + column]);
+            self.solve_columns(&mut columns);
+            columns
+        };
+        // On two processors.
+        let (xy, z) = rayon::join(|| columns(0, 2), || columns(2, 1));
         for (row, x) in x.iter_mut().enumerate() {
-            *x = DVec3::new(columns[(row, 0)], columns[(row, 1)], columns[(row, 2)]);
+            *x = DVec3::new(xy[(row, 0)], xy[(row, 1)], z[(row, 0)]);
         }
     }
 }

@@ -25,6 +25,8 @@ pub struct Acceleration {
     /// Differences between successive steps, and between successive results, oldest first.
     step_changes: Vec<Vec<DVec3>>,
     result_changes: Vec<Vec<DVec3>>,
+    /// Inner products of the step changes, row by row.
+    products: Vec<Vec<f64>>,
     /// The last result and the step that led to it.
     last: Option<(Vec<DQuat>, Vec<DVec3>)>,
     last_length: f64,
@@ -44,9 +46,15 @@ impl Acceleration {
             if self.step_changes.len() == WINDOW {
                 self.step_changes.remove(0);
                 self.result_changes.remove(0);
+                self.products.remove(0);
+                self.products.iter_mut().for_each(|row| _ = row.remove(0));
             }
-            self.step_changes.push(step.iter().zip(&last_step).map(|(a, b)| *a - *b).collect());
+            self.step_changes.push(step.par_iter().zip(&last_step).map(|(a, b)| *a - *b).collect());
             self.result_changes.push(turns(&last_result, &result));
+            if let Some(newest) = self.step_changes.last() {
+                // The lower triangle.
+                self.products.push(self.step_changes.iter().map(|change| dot(change, newest)).collect());
+            }
             if let Some(weights) = self.weights(&step) {
                 self.apply(&weights, length, after);
             }
@@ -57,7 +65,7 @@ impl Acceleration {
     /// The combination of step changes closest to the step.
     fn weights(&self, step: &[DVec3]) -> Option<DVector<f64>> {
         let n = self.step_changes.len();
-        let mut matrix = DMatrix::from_fn(n, n, |i, j| dot(&self.step_changes[i], &self.step_changes[j]));
+        let mut matrix = DMatrix::from_fn(n, n, |i, j| self.products[i.max(j)][i.min(j)]);
         let floor = REGULARIZATION * matrix.trace() / n as f64;
         (0..n).for_each(|i| matrix[(i, i)] += floor);
         matrix.cholesky().map(|factor| factor.solve(&DVector::from_fn(n, |i, _| dot(&self.step_changes[i], step))))

@@ -16,22 +16,28 @@ pub(super) struct Discretization {
 }
 
 impl Discretization {
-    pub fn new(
+    /// With what `beside` makes of the shell meanwhile.
+    pub fn new<R: Send>(
         mesh: &Mesh,
         metric: &Metric,
         spin: &SpinStructure,
         homology: &Homology,
         bending_angles: Option<&[f64]>,
         pinned: &[VertexId],
-    ) -> Result<Discretization, CholeskyError> {
-        // Neither is made of many parts at once, so they are made side by side.
-        let (shell, poisson) =
-            rayon::join(|| Shell::new(mesh, metric, spin, bending_angles), || Poisson::new(mesh, metric, pinned));
+        beside: impl FnOnce(&Shell) -> R + Send,
+    ) -> Result<(Discretization, R), CholeskyError> {
+        // A factorization keeps but one processor busy.
+        let shell = || {
+            let shell = Shell::new(mesh, metric, spin, bending_angles);
+            let beside = beside(&shell);
+            (shell, beside)
+        };
+        let ((shell, beside), poisson) = rayon::join(shell, || Poisson::new(mesh, metric, pinned));
         let poisson = poisson?;
         // Periods are those of the surface without its pins.
         let separate = !pinned.is_empty() && homology.betti() > 0;
         let free = if separate { Some(Poisson::new(mesh, metric, &[])?) } else { None };
         let periods = Periods::new(mesh, metric, homology, free.as_ref().unwrap_or(&poisson));
-        Ok(Discretization { shell, poisson, periods })
+        Ok((Discretization { shell, poisson, periods }, beside))
     }
 }

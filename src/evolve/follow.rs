@@ -82,8 +82,9 @@ impl Simulation {
         let angles = self.bending.as_ref().map(|bending| bending.at(self.time)).transpose()?;
         self.places = self.pins.at(self.time)?;
         let Simulation { mesh, metric, spin, homology, pins, .. } = self;
-        self.parts = Discretization::new(mesh, metric, spin, homology, angles.as_deref(), pins.vertices())
-            .map_err(|error| EvolveError::Poisson { time: self.time, error })?;
+        (self.parts, ()) =
+            Discretization::new(mesh, metric, spin, homology, angles.as_deref(), pins.vertices(), |_| ())
+                .map_err(|error| EvolveError::Poisson { time: self.time, error })?;
         Ok(())
     }
 

@@ -137,17 +137,22 @@ impl Simulation {
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
         let pinned = pins.at(time)?;
         let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
-        let parts = Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices())?;
+        let phases = phases_from_scene(&scene.phases, &scene.start.from, mesh.face_count());
+        let stepper = |shell: &Shell| {
+            let mut stepper = Stepper::new(shell);
+            phases.first().inspect(|first| stepper.prepare(shell, &first.step));
+            stepper
+        };
+        let (parts, stepper) =
+            Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices(), stepper)?;
 
         let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
         let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
         let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);
-        let stepper = Stepper::new(&parts.shell);
         let class = spin.class(&mesh, &metric, &homology);
         if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
             return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
         }
-        let phases = phases_from_scene(&scene.phases, &scene.start.from, mesh.face_count());
         Ok(Simulation {
             mesh,
             repairs,

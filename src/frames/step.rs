@@ -74,6 +74,11 @@ impl Stepper {
         }
     }
 
+    /// Makes what the first such step would have to make.
+    pub fn prepare(&mut self, shell: &Shell, options: &StepOptions) {
+        let _ = self.connection_laplacian(shell, options);
+    }
+
     /// One step; `frames` stay unit quaternions.
     pub fn advance(&mut self, shell: &Shell, options: &StepOptions, frames: &mut [DQuat]) -> SolveReport {
         // On a thread of the pool, so that its many short tasks need not be handed over one by one.
@@ -82,7 +87,7 @@ impl Stepper {
 
     fn advance_on_pool(&mut self, shell: &Shell, options: &StepOptions, frames: &mut [DQuat]) -> SolveReport {
         let dt = options.dt * shell.mean_face_area();
-        if let Some(laplacian) = self.connection_laplacian(shell, options, dt) {
+        if let Some(laplacian) = self.connection_laplacian(shell, options) {
             laplacian.step(frames);
             return SolveReport::DIRECT;
         }
@@ -127,7 +132,8 @@ impl Stepper {
 
     /// The factorized matrix of isotropic steps, made where it is not there or another one; `None` where it does not
     /// serve.
-    fn connection_laplacian(&mut self, shell: &Shell, options: &StepOptions, dt: f64) -> Option<&ConnectionLaplacian> {
+    fn connection_laplacian(&mut self, shell: &Shell, options: &StepOptions) -> Option<&ConnectionLaplacian> {
+        let dt = options.dt * shell.mean_face_area();
         if !options.is_isotropic() || !ConnectionLaplacian::suits(shell) {
             return None;
         }
