@@ -306,9 +306,9 @@ fn textbook_iterations(blocks: &Blocks, b: &[DVec4], tolerance: f64) -> usize {
         earlier[i.max(j)].push((i.min(j), block));
     }
     let mut inverse: Vec<DMat4> = Vec::new();
-    for row in 0..n {
-        let taken = earlier[row].iter().map(|&(k, block)| block * inverse[k] * block.transpose());
-        inverse.push(taken.fold(blocks.diagonal[row], |pivot, taken| pivot - taken).inverse());
+    for (diagonal, earlier) in blocks.diagonal.iter().zip(&earlier) {
+        let taken = earlier.iter().map(|&(k, block)| block * inverse[k] * block.transpose());
+        inverse.push(taken.fold(*diagonal, |pivot, taken| pivot - taken).inverse());
     }
     let precondition = |r: &[DVec4]| {
         let mut z = r.to_vec();

@@ -257,10 +257,12 @@ fn steps_can_be_taken_in_pieces() {
     };
     resumed.resume(checkpoint).expect("a metric");
     let last = resumed.relax(Some(7), &mut Unobserved).expect("a frame");
-    // Every piece is laid upon the reference, which rounds.
+    // Every piece is laid upon the reference, which rounds, and steps are solved for in single precision.
     assert_eq!(last.report.cursor, whole.report.cursor);
-    assert!((last.report.l2_length_error - whole.report.l2_length_error).abs() < 1e-9);
-    assert!(distance_up_to_rigid_motion(&last.positions, &whole.positions) < 1e-6);
+    let difference = (last.report.l2_length_error - whole.report.l2_length_error).abs();
+    assert!(difference < 1e-6, "{difference}");
+    let distance = distance_up_to_rigid_motion(&last.positions, &whole.positions);
+    assert!(distance < 1e-5, "{distance}");
 }
 
 /// A time step that is no number ends in an error that names the phase, not in a frame.

@@ -1,6 +1,6 @@
 //! An order of the rows of a sparse matrix that two or more threads can eliminate side by side.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 /// Which rows are coupled, cut into strips of which each touches only the one before and the one after it.
 ///
@@ -102,17 +102,16 @@ impl BlockPattern {
     }
 }
 
-/// Strips of fewer rows are not worth a task of their own.
+/// Fewer rows than this are not worth a second task.
+const MIN_ROWS: usize = 4096;
+/// Rows of a strip in graphs of moderate size.
 const ROWS_PER_STRIP: usize = 2048;
-/// As many tasks side by side as there are strips of one kind. Each boundary between strips costs a little accuracy
+/// As many tasks go side by side as there are strips of one kind. Each boundary between strips costs a little accuracy
 /// of an incomplete factorization.
-const MAX_STRIPS: usize = 16;
+const STRIPS: RangeInclusive<usize> = 4..=16;
 
 fn strip_count(rows: usize) -> usize {
-    match rows / ROWS_PER_STRIP {
-        0..4 => 1,
-        count => (count / 4 * 4).min(MAX_STRIPS),
-    }
+    if rows < MIN_ROWS { 1 } else { (rows / ROWS_PER_STRIP / 4 * 4).clamp(*STRIPS.start(), *STRIPS.end()) }
 }
 
 /// The coupled rows of each row, with the pair that couples them.
