@@ -187,7 +187,8 @@ fn bending_that_turns_around() {
 /// A film of the relaxation from random frames has rims that come, move and go.
 #[test]
 fn rims_are_counted() {
-    let text = "[mesh]\nshape = 'sphere'\nsubdivisions = 6\n[start]\nrandom = 10\n[clock]\nframes = 16\n";
+    let text = "[mesh]\nshape = 'sphere'\nsubdivisions = 6\n[start]\nrandom = 0\n[clock]\nframes = 16\n\
+                [[phase]]\nepsilon = [1, 0.1, 1, 0.1]\nfeedback = 0.5\ncrease = 0\naccelerate = false\n";
     let (_, frames) = film(text);
     let sum = |count: fn(&FrameReport) -> usize| frames.iter().map(|frame| count(&frame.report)).sum::<usize>();
     assert!(sum(|r| r.rims_died) > 0 && sum(|r| r.rims_moved) > 0, "there is nothing to see");
