@@ -260,16 +260,25 @@ def quaternion_of(n, t, b):
     return normalized(rows[np.arange(len(rows)), longest])
 
 
-def solve(matrix, right, start, tolerance):
-    """SciPy's conjugate gradients, until the residual is `tolerance` times that of the start; and their number."""
+def solve(matrix, right, start, tolerance, patience=np.inf):
+    """SciPy's conjugate gradients, until the residual is `tolerance` times that of the start; and their number.
+
+    After `patience` seconds there is no solution, and the number is what was done until then.
+    """
     count = 0
+    late = time.perf_counter() + patience
 
     def counted(_):
         nonlocal count
         count += 1
+        if time.perf_counter() > late:
+            raise TimeoutError
 
     goal = tolerance * np.linalg.norm(right - matrix @ start)
-    solution, _ = linalg.cg(matrix, right, x0=start, rtol=0.0, atol=goal, maxiter=20000, callback=counted)
+    try:
+        solution, _ = linalg.cg(matrix, right, x0=start, rtol=0.0, atol=goal, maxiter=20000, callback=counted)
+    except TimeoutError:
+        solution = None
     return solution, count
 
 

@@ -71,9 +71,9 @@ fn assert_no_more_than(recorded: &Recorded) {
 fn a_sphere_takes_no_more_work() {
     assert_no_more_than(&Recorded {
         scene: "[mesh]\nshape = 'sphere'\nsubdivisions = 8",
-        steps: 46,
-        inner_iterations: 741,
-        l2_length_error: 4.49e-5,
+        steps: 32,
+        inner_iterations: 128,
+        l2_length_error: 3.547e-5,
     });
 }
 
@@ -81,9 +81,9 @@ fn a_sphere_takes_no_more_work() {
 fn a_flat_torus_takes_no_more_work() {
     assert_no_more_than(&Recorded {
         scene: "[mesh]\nshape = 'flat_torus'\na = [2.2, 0]\nb = [0, 4.330127]\ncolumns = 22\nrows = 50\n[spin]\nclass = '10'",
-        steps: 247,
-        inner_iterations: 1590,
-        l2_length_error: 1.53e-3,
+        steps: 99,
+        inner_iterations: 596,
+        l2_length_error: 9.23e-4,
     });
 }
 
@@ -91,8 +91,8 @@ fn a_flat_torus_takes_no_more_work() {
 fn a_hyperbolic_disk_takes_no_more_work() {
     assert_no_more_than(&Recorded {
         scene: "[mesh]\nshape = 'hyperbolic_disk'\nradius = 2\nfaces = 1500",
-        steps: 625,
-        inner_iterations: 3319,
-        l2_length_error: 4.67e-4,
+        steps: 131,
+        inner_iterations: 753,
+        l2_length_error: 3.943e-4,
     });
 }

@@ -13,8 +13,9 @@ use super::{npy, scenes::scene};
 
 /// Steps that each phase takes before its systems are measured, so that they are those of a relaxation under way.
 const STEPS: usize = 5;
-/// Besides that of the phases; the last one shows what an iteration costs.
-const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
+/// Besides that of the phases. 10⁻⁶ shows what an iteration costs; at 1 the start is good enough, and what is left is
+/// assembly and factorization.
+const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1.0];
 
 /// Writes what `paper_method.py` reads: triangles |F| × 3, the halfedges 3 f + k on the two sides of each edge (the second
 /// −1 on the boundary), edge lengths |E|, transports |E| × 2 (real, imaginary), frames |F| × 4 (w, x, y, z).
@@ -39,13 +40,14 @@ fn write_frames(folder: &Path, name: &str, frames: &[DQuat]) -> std::io::Result<
     npy::doubles(folder, name, &[frames.len(), 4], frames.iter().flat_map(|q| [q.w, q.x, q.y, q.z]))
 }
 
-/// Bytes per face that an iteration of preconditioned conjugate gradients moves as the textbook has it, faces with three
-/// neighbours each: the matrix once and the factor once in each direction, 4×4 blocks of doubles with 4-byte column
-/// numbers, an off-diagonal block shared by two faces; and fifteen passes over vectors of four doubles, what can be done
-/// in one pass done in one (product and p·q: 2; x, r and |r|: 6; both sweeps and r·z: 4; p: 3).
+/// Bytes per face that an iteration of the inner solve reads and writes, faces with three neighbours each: in each of the
+/// two sweeps 1.5 blocks of the factor, 16 singles each, with their columns, the start of a row and a flag; of vectors of
+/// four singles, backward: residual read, direction and spread read and written; forward: direction read, gathered
+/// written, spread, solution and residual read and written. What a sweep has just touched counts as being in a cache.
 pub const BYTES_PER_ITERATION: f64 = {
-    let blocks = 128.0 + 1.5 * 128.0 + 3.0 * 4.0;
-    3.0 * blocks + 15.0 * 32.0
+    let sweep = 1.5 * (64.0 + 4.0) + 4.0 + 1.0;
+    let vector = 16.0;
+    2.0 * sweep + (1.0 + 2.0 + 2.0) * vector + (1.0 + 1.0 + 2.0 + 2.0 + 2.0) * vector
 };
 
 /// Times whole steps (assembly, factorization, solve), `repeats` times each, and if a folder is given writes the problem
@@ -82,12 +84,12 @@ pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, B
             }
             solves.push(json!({ "tolerance": tolerance, "iterations": iterations, "seconds": seconds }));
         }
-        let state = format!("frames_dt{}", options.dt);
+        let state = format!("frames_phase{}", number + 1);
         if let Some(folder) = folder {
             write_frames(folder, &state, &frames)?;
             let mut solved = frames.clone();
             stepper.advance(&shell, &StepOptions { solver_tolerance: 1e-10, ..*options }, &mut solved);
-            write_frames(folder, &format!("solved_dt{}", options.dt), &solved)?;
+            write_frames(folder, &format!("solved_phase{}", number + 1), &solved)?;
         }
         states.push(json!({
             "phase": number + 1, "dt": options.dt, "stiffness": options.stiffness, "frames": state, "solves": solves,

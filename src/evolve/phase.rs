@@ -62,10 +62,11 @@ impl Phase {
         }
     }
 
-    /// What a step is taken with, of this length and after one that turned frames by so much. Far from the end a rough
-    /// solution of the linear system leads as far as an exact one.
-    pub(super) fn options(&self, dt: f64, turn: f64) -> StepOptions {
-        let looser = (turn / SETTLED_TURN).clamp(1.0, LOOSEST);
+    /// What a step of this length is taken with. On the `way` to a later stage a rough solution of the linear system
+    /// leads as far as an exact one, as long as frames turn by much, as they did in the last step.
+    pub(super) fn options(&self, dt: f64, way: bool, turn: f64) -> StepOptions {
+        let rough = way && self.step.method == Method::Implicit;
+        let looser = if rough { (turn / SETTLED_TURN).clamp(1.0, LOOSEST) } else { 1.0 };
         StepOptions { dt, solver_tolerance: self.step.solver_tolerance * looser, ..self.step }
     }
 
@@ -145,6 +146,6 @@ const SMOOTHING_SHARE: f64 = 1.0 / 28.0;
 /// Residual of a linear solve relative to that of standing still, where frames have nearly settled. Tighter solves did
 /// not save outer steps.
 const SOLVER_TOLERANCE: f64 = 1e-2;
-/// Mean turn per step in radians (0.1°) from which on solves become looser in proportion, and how much they do at most.
+/// Mean turn per step in radians (0.1°) from which on solves on the way become looser in proportion, and how much at most.
 const SETTLED_TURN: f64 = 0.1 / 180.0 * std::f64::consts::PI;
 const LOOSEST: f64 = 10.0;

@@ -9,7 +9,7 @@ use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
 /// How often frames are drawn anew at most.
-const MAX_RESTARTS: usize = 4;
+const MAX_RESTARTS: usize = 8;
 
 impl Simulation {
     /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases.
@@ -133,7 +133,8 @@ impl Simulation {
     /// THE step (Alg. 8): frames along the gradient, the surface they integrate to, frames toward its own.
     /// Returns the positions of that surface, and what the linear solve took.
     fn step(&mut self, phase: &Phase, dt: f64) -> (Vec<DVec3>, SolveReport) {
-        let options = phase.options(dt, self.cursor.turn);
+        let is_on_the_way = self.cursor.phase + 1 < self.phases.len();
+        let options = phase.options(dt, is_on_the_way, self.cursor.turn);
         let report = self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
         self.remove_periods(phase.periods);
         let positions = self.integrate();
