@@ -91,7 +91,7 @@ class Bench:
         for threads, rate in rates.items():
             measured = self.ours("step", name, "repeats=3", threads=threads)
             for state in measured["states"]:
-                first, last = state["solves"][0], state["solves"][2]
+                first, last = state["solves"][2], state["solves"][1]
                 more = last["iterations"] - first["iterations"]
                 if more == 0:
                     continue  # solved directly

@@ -13,9 +13,8 @@ use super::{npy, scenes::scene};
 
 /// Steps that each phase takes before its systems are measured, so that they are those of a relaxation under way.
 const STEPS: usize = 5;
-/// Besides that of the phases. 10⁻⁶ shows what an iteration costs; at 1 the start is good enough, and what is left is
-/// assembly and factorization.
-const TOLERANCES: [f64; 3] = [1e-3, 1e-6, 1.0];
+/// Besides that of the phases. At 1 the start is good enough, and what is left is assembly and factorization.
+const TOLERANCES: [f64; 2] = [1e-3, 1.0];
 
 /// Writes what `paper_method.py` reads: triangles |F| × 3, the halfedges 3 f + k on the two sides of each edge (the second
 /// −1 on the boundary), edge lengths |E|, transports |E| × 2 (real, imaginary), frames |F| × 4 (w, x, y, z).
