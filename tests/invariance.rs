@@ -207,13 +207,14 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
 fn relax(surface: &Surface) -> Frame {
     let scene = scene("[spin]\nclass = 'immersion'\n[start]\nfrom = 'mesh'");
     let mut simulation = Simulation::new(&scene, surface.clone()).expect("a simulation");
-    simulation.phases = default_phases(surface.mesh.face_count());
-    simulation.phases.truncate(4);
-    for (k, phase) in simulation.phases.iter_mut().enumerate() {
+    let mut phases = default_phases(surface.mesh.face_count());
+    phases.truncate(4);
+    for (k, phase) in phases.iter_mut().enumerate() {
         let accelerate = k == 3;
         let step = StepOptions { solver_tolerance: 1e-14, dt: 3.0, ..phase.step };
         *phase = Phase { step, min_steps: 3, max_steps: 3, tolerance_radians: 1e-20, accelerate, ..*phase };
     }
+    simulation.change_phases(|own| own.clone_from(&phases));
     let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
     assert_eq!(frame.report.cursor.steps, 12);
     frame

@@ -28,13 +28,13 @@ fn film(text: &str) -> (Simulation, Vec<Frame>) {
     let mut simulation = simulation(text);
     let count = scene(text).clock.frames;
     let (mut frames, mut lengths): (Vec<Frame>, Vec<f64>) = (Vec::new(), Vec::new());
-    let class = simulation.spin.class(&simulation.mesh, &simulation.metric, &simulation.homology);
+    let class = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
     for number in 1..=count {
         let frame = simulation.next_frame(&mut Unobserved).expect("a frame");
         assert_eq!(frame.report.frame, number);
-        let now = simulation.spin.class(&simulation.mesh, &simulation.metric, &simulation.homology);
+        let now = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
         assert_eq!(now, class, "frame {number} is of another class");
-        assert_eq!(simulation.spin.figure_8_vertices(&simulation.mesh, &simulation.metric), [] as [usize; 0]);
+        assert_eq!(simulation.spin().figure_8_vertices(&simulation.mesh, &simulation.metric), [] as [usize; 0]);
         assert_eq!(frame.report.rims, frame.rims.len());
         assert_report(&simulation, frames.last(), &frame, &lengths);
         lengths = simulation.metric.edge_lengths().to_vec();
@@ -231,14 +231,14 @@ fn all_classes_in_binary_order() {
         immerse::timeline::Clock::from_scene(&scene(text).clock).times().collect::<Vec<_>>().into_iter();
     for expected in ["00", "01", "10", "11"] {
         let frame = all.next_frame(&mut Unobserved).expect("a frame");
-        assert_eq!(class_digits(&all.spin.class(&all.mesh, &all.metric, &all.homology)), expected);
-        assert_eq!(all.spin.figure_8_vertices(&all.mesh, &all.metric), [] as [usize; 0]);
+        assert_eq!(class_digits(&all.spin().class(&all.mesh, &all.metric, &all.homology)), expected);
+        assert_eq!(all.spin().figure_8_vertices(&all.mesh, &all.metric), [] as [usize; 0]);
         assert_eq!((frame.report.cursor.steps, frame.report.max_move), (6, 0.0), "every one starts over");
         // As the scene of that class alone.
         assert_eq!(frame.report.time, all_times.next().expect("a time"));
         let mut alone = simulation(&text.replace("all", expected).replace("frames = 4", "frames = 1"));
         let same = alone.next_frame(&mut Unobserved).expect("a frame");
-        assert!(same.positions == frame.positions && alone.frames == all.frames, "{expected}");
+        assert!(same.positions == frame.positions && alone.face_frames() == all.face_frames(), "{expected}");
     }
     let one_too_many = scene(&text.replace("frames = 4", "frames = 5"));
     let error = Simulation::from_scene(&one_too_many).expect_err("five of four classes");
@@ -282,7 +282,7 @@ fn steps_adapt_to_the_turn() {
 fn assert_resumes(text: &str) {
     let bits = |frame: &Frame, simulation: &Simulation| {
         let positions: Vec<_> = frame.positions.iter().map(|p| p.to_array().map(f64::to_bits)).collect();
-        let frames: Vec<_> = simulation.frames.iter().map(|q| q.to_array().map(f64::to_bits)).collect();
+        let frames: Vec<_> = simulation.face_frames().iter().map(|q| q.to_array().map(f64::to_bits)).collect();
         (positions, frames, format!("{:?}", frame.report))
     };
     let count = scene(text).clock.frames;
@@ -294,12 +294,12 @@ fn assert_resumes(text: &str) {
         states.push(bits(&frame, &whole));
         checkpoints.push(Checkpoint {
             frame: number,
-            frames: whole.frames.clone(),
-            spin: whole.spin.clone(),
+            frames: whole.face_frames(),
+            spin: whole.spin(),
             edge_lengths: whole.metric.edge_lengths().to_vec(),
             positions: frame.positions,
             rims: frame.rims,
-            cursor: frame.report.cursor,
+            cursors: frame.report.cursors(),
         });
     }
     for checkpoint in checkpoints.into_iter().take(count - 1) {

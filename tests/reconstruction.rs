@@ -61,12 +61,14 @@ struct Found {
 /// Relaxes from perturbed (by this much) or random frames.
 fn find(surface: &Surface, text: &str, perturbation: f64, phases: &[Phase]) -> Found {
     let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    simulation.phases = phases.to_vec();
+    simulation.change_phases(|own| *own = phases.to_vec());
     let mut random = Random::new(1);
-    for frame in &mut simulation.frames {
+    let mut frames = simulation.face_frames();
+    for frame in &mut frames {
         let v = perturbation * random.vector();
         *frame = (*frame * DQuat::from_xyzw(v.x, v.y, v.z, 1.0)).normalize();
     }
+    simulation.set_face_frames(&frames);
     let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
     assert!(frame.report.converged, "{:?}", frame.report);
     let target = surface.positions.as_deref().expect("positions");
@@ -119,7 +121,7 @@ fn mirror_image() {
     let mut mirrored = surface.clone();
     mirrored.positions.iter_mut().flatten().for_each(|p| p.x = -p.x);
     let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    simulation.phases = vec![to_the_end(Method::Newton, 1e6, 30)];
+    simulation.change_phases(|phases| *phases = vec![to_the_end(Method::Newton, 1e6, 30)]);
     let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
     let target = mirrored.positions.expect("positions");
     assert!(distance_up_to_rigid_motion(&target, &frame.positions) < 1e-8 * diameter(&target));

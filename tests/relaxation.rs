@@ -35,7 +35,7 @@ fn assert_good(text: &str, (simulation, frame): &(Simulation, Frame), limit: f64
         let generators = simulation.homology.generators().iter();
         class_digits(&generators.map(|g| is_figure_8(&simulation.mesh, positions, &g.strip)).collect::<Vec<_>>())
     };
-    let asked = simulation.spin.class(&simulation.mesh, &simulation.metric, &simulation.homology);
+    let asked = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
     assert_eq!(measure(&frame.positions), class_digits(&asked), "{text}");
     assert_eq!(report.spin_class, class_digits(&asked));
 }
@@ -141,7 +141,8 @@ fn printed_methods_find_the_sphere() {
             max_steps,
             untangle_steps: 0,
         };
-        simulation.phases = vec![phase([1.0; 4], 0.0, 600), phase([1.0, 0.01, 1.0, 0.1], 0.5, 600)];
+        let two = [phase([1.0; 4], 0.0, 600), phase([1.0, 0.01, 1.0, 0.1], 0.5, 600)];
+        simulation.change_phases(|phases| *phases = two.to_vec());
         let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
         let report = &frame.report;
         eprintln!("{method:?}: {} steps, {}", report.cursor.steps, report.l2_length_error);
@@ -210,13 +211,13 @@ fn steps_are_counted_and_phases_end_when_frames_stand_still() {
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
     let frame = simulation.relax(None, &mut observer).expect("a frame");
     assert_eq!(frame.report.cursor.steps, observer.seen.len());
-    assert_eq!(frame.report.cursor.phase, simulation.phases.len());
+    assert_eq!(frame.report.cursor.phase, simulation.phases().len());
     for now in &observer.seen {
-        assert!(now.step <= now.max_steps && now.phases == simulation.phases.len());
-        assert_eq!(now.settled, now.turn < now.tolerance && now.step >= simulation.phases[now.phase].min_steps);
+        assert!(now.step <= now.max_steps && now.phases == simulation.phases().len());
+        assert_eq!(now.settled, now.turn < now.tolerance && now.step >= simulation.phases()[now.phase].min_steps);
     }
     let settled = observer.seen.iter().filter(|now| now.settled).count();
-    assert_eq!(settled, simulation.phases.len(), "every phase settles on so small a mesh");
+    assert_eq!(settled, simulation.phases().len(), "every phase settles on so small a mesh");
     // Nothing more happens after the end.
     let again = simulation.relax(Some(7), &mut Unobserved).expect("a frame");
     assert_eq!(again.report.cursor, frame.report.cursor);
@@ -227,11 +228,12 @@ fn steps_are_counted_and_phases_end_when_frames_stand_still() {
 #[test]
 fn too_few_steps_are_reported() {
     let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-    simulation.phases.iter_mut().for_each(|phase| (phase.max_steps, phase.tolerance_radians) = (2, 1e-9));
+    let hurry = |phase: &mut Phase| (phase.max_steps, phase.tolerance_radians) = (2, 1e-9);
+    simulation.change_phases(|phases| phases.iter_mut().for_each(hurry));
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
     let frame = simulation.relax(None, &mut observer).expect("a frame");
     assert!(!frame.report.converged);
-    assert_eq!(observer.seen.len(), 2 * simulation.phases.len());
+    assert_eq!(observer.seen.len(), 2 * simulation.phases().len());
     assert!(observer.seen.iter().all(|now| !now.settled));
 }
 
@@ -240,7 +242,7 @@ fn too_few_steps_are_reported() {
 fn steps_can_be_taken_in_pieces() {
     let start = || {
         let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-        simulation.phases.iter_mut().for_each(|phase| phase.accelerate = false);
+        simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.accelerate = false));
         simulation
     };
     let whole = start().relax(Some(12), &mut Unobserved).expect("a frame");
@@ -252,12 +254,12 @@ fn steps_can_be_taken_in_pieces() {
     let mut resumed = start();
     let checkpoint = Checkpoint {
         frame: 1,
-        frames: pieces.frames,
-        spin: pieces.spin,
+        frames: pieces.face_frames(),
+        spin: pieces.spin(),
         edge_lengths: pieces.metric.edge_lengths().to_vec(),
         positions: now.positions,
         rims: now.rims,
-        cursor: now.report.cursor,
+        cursors: now.report.cursors(),
     };
     resumed.resume(checkpoint).expect("a metric");
     let last = resumed.relax(Some(7), &mut Unobserved).expect("a frame");
@@ -274,12 +276,11 @@ fn steps_can_be_taken_in_pieces() {
 #[test]
 fn divergence_is_an_error() {
     let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-    simulation.phases[0].step.method = Method::Gradient;
-    simulation.phases[0].step.dt = 1e200;
+    simulation.change_phases(|phases| (phases[0].step.method, phases[0].step.dt) = (Method::Gradient, 1e200));
     let outcome = simulation.relax(Some(20), &mut Unobserved);
     if let Err(error) = &outcome {
         assert!(matches!(error, EvolveError::Diverged { phase: 0, .. }));
         assert!(error.to_string().contains("lower `dt` of that phase"));
     }
-    assert!(outcome.is_err() || simulation.frames.iter().all(|q| q.is_finite()));
+    assert!(outcome.is_err() || simulation.face_frames().iter().all(|q| q.is_finite()));
 }

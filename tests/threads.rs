@@ -23,11 +23,11 @@ fn in_memory() {
             let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
             assert!(simulation.mesh.face_count() > 4096, "sums must be in more than one piece");
             // A few steps of the first phase, and a few that are accelerated.
-            simulation.phases.iter_mut().for_each(|phase| phase.max_steps = 4);
+            simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.max_steps = 4));
             let frame = simulation.relax(Some(18), &mut Unobserved).expect("a frame");
             let bits = |x: f64| x.to_bits();
             let positions: Vec<_> = frame.positions.iter().map(|p| p.to_array().map(bits)).collect();
-            let frames: Vec<_> = simulation.frames.iter().map(|q| q.to_array().map(bits)).collect();
+            let frames: Vec<_> = simulation.face_frames().iter().map(|q| q.to_array().map(bits)).collect();
             (positions, frames, format!("{:?}", frame.report))
         };
         let one = on_threads(1, relax);

@@ -29,9 +29,10 @@ pub fn write_problem(simulation: &Simulation, folder: &Path) -> Result<(), Box<d
     });
     npy::integers(folder, "edge_sides", &[edges, 2], sides)?;
     npy::doubles(folder, "edge_lengths", &[edges], simulation.metric.edge_lengths().iter().copied())?;
-    let transports = simulation.spin.transports().iter().flat_map(|tau| [tau.re, tau.im]);
+    let spin = simulation.spin();
+    let transports = spin.transports().iter().flat_map(|tau| [tau.re, tau.im]);
     npy::doubles(folder, "transports", &[edges, 2], transports)?;
-    write_frames(folder, "frames", &simulation.frames)?;
+    write_frames(folder, "frames", &simulation.face_frames())?;
     Ok(())
 }
 
@@ -53,13 +54,13 @@ pub const BYTES_PER_ITERATION: f64 = {
 /// and the frames of each state there.
 pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, Box<dyn Error>> {
     let simulation = Simulation::from_scene(&scene(name)?)?;
-    let shell = Shell::new(&simulation.mesh, &simulation.metric, &simulation.spin, None);
+    let shell = Shell::new(&simulation.mesh, &simulation.metric, &simulation.spin(), None);
     if let Some(folder) = folder {
         write_problem(&simulation, folder)?;
     }
     let phases: Vec<StepOptions> =
-        simulation.phases.iter().map(|phase| StepOptions { crease: 0.0, ..phase.step }).collect();
-    let mut frames = simulation.frames.clone();
+        simulation.phases().iter().map(|phase| StepOptions { crease: 0.0, ..phase.step }).collect();
+    let mut frames = simulation.face_frames();
     drop(simulation);
     let mut stepper = Stepper::new(&shell);
     let mut states = Vec::new();

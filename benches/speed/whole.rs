@@ -50,13 +50,15 @@ pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> R
     let mut simulation = Simulation::new(&scene, surface)?;
     let setup = begin.elapsed().as_secs_f64();
     if let Some(steps) = steps_per_phase {
-        for phase in &mut simulation.phases {
-            phase.max_steps = phase.max_steps.min(steps);
-            phase.untangle_steps = 0;
-        }
+        simulation.change_phases(|phases| {
+            for phase in phases {
+                phase.max_steps = phase.max_steps.min(steps);
+                phase.untangle_steps = 0;
+            }
+        });
     }
     // A relaxation that is given its number of steps does not start over because of rims.
-    let cut = steps_per_phase.map(|steps| steps * simulation.phases.len());
+    let cut = steps_per_phase.map(|steps| steps * simulation.phases().len());
     let mut tally =
         Tally { phases: Vec::new(), restarts: 0, last: Instant::now(), target: target.unwrap_or(0.0), pause: 0 };
     let frame = loop {

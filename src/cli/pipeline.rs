@@ -80,7 +80,7 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
         mesh.boundary_loops().len(),
         mesh.components().len()
     )];
-    let class = simulation.spin.class(mesh, &simulation.metric, &simulation.homology);
+    let class = simulation.spin().class(mesh, &simulation.metric, &simulation.homology);
     for (k, (generator, q)) in simulation.homology.generators().iter().zip(class).enumerate() {
         notes.push(format!(
             "generator {} of length {:.4} through {} faces: q = {}",
@@ -187,12 +187,12 @@ fn simulate_for(
         let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
         let checkpoint = Checkpoint {
             frame: kept,
+            cursors: state.report.cursors(),
             frames: state.frames,
             spin: SpinStructure::from_transports(transports),
             edge_lengths: state.edge_lengths,
             positions: state.positions,
             rims: simulation.mesh.edges().filter(|e| state.rims[e.index()]).collect(),
-            cursor: state.report.cursor,
         };
         simulation.resume(checkpoint).map_err(|error| at_fault(scene, error))?;
     }
@@ -210,8 +210,8 @@ fn simulate_for(
             frame: number,
             time: report.time,
             positions: frame.positions,
-            frames: simulation.frames.clone(),
-            transport: simulation.spin.transports().iter().map(|t| [t.re, t.im]).collect(),
+            frames: simulation.face_frames(),
+            transport: simulation.spin().transports().iter().map(|t| [t.re, t.im]).collect(),
             edge_lengths: simulation.metric.edge_lengths().to_vec(),
             rims,
             report,
@@ -225,17 +225,20 @@ fn simulate_for(
 struct Watcher<'a> {
     progress: &'a mut dyn Progress,
     arrivals: &'a Arrivals,
-    phase: Option<usize>,
+    phase: Option<(usize, usize)>,
     restarts: usize,
 }
 
 impl Observer for Watcher<'_> {
     fn after_step(&mut self, now: &evolve::Progress) -> ControlFlow<()> {
         let following = now.phase >= now.phases;
-        let name =
+        let mut name =
             if following { format!("frame {}", now.frame) } else { format!("phase {}/{}", now.phase + 1, now.phases) };
-        if self.phase != Some(now.phase) {
-            self.phase = Some(now.phase);
+        if now.components > 1 {
+            name = format!("component {}/{}, {name}", now.component + 1, now.components);
+        }
+        if self.phase != Some((now.component, now.phase)) {
+            self.phase = Some((now.component, now.phase));
             self.progress.begin(&name, Some(now.max_steps));
         }
         self.progress.advance(now.step, Some(now.l2_length_error));

@@ -1,15 +1,18 @@
 //! The simulation: from frame to frame, phases, THE step, stopping, and the report per frame.
 
 mod acceleration;
+mod course;
 mod discretization;
 mod error;
 mod follow;
+mod orientation;
 mod pace;
 mod phase;
 mod placement;
 mod progress;
 mod realize;
 mod relax;
+mod relaxation;
 mod report;
 mod simulation;
 
@@ -17,5 +20,5 @@ pub use error::{EvolveError, SetupError};
 pub use pace::{Pace, Settling};
 pub use phase::{Phase, default_phases, phases_from_scene};
 pub use progress::{Observer, Progress, Unobserved};
-pub use report::{Cursor, FrameReport};
+pub use report::{ComponentReport, Cursor, FrameReport};
 pub use simulation::{Checkpoint, Frame, Simulation};

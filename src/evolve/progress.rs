@@ -7,6 +7,10 @@ use std::ops::ControlFlow;
 pub struct Progress {
     /// The frame that is being made, from 1.
     pub frame: usize,
+    /// The component that is being relaxed, from 0, of `components`.
+    pub component: usize,
+    /// Number of components.
+    pub components: usize,
     /// Phase, from 0, of `phases`.
     pub phase: usize,
     /// Number of phases.

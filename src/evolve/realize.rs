@@ -1,8 +1,9 @@
 //! The measures of a frame.
 
 use super::follow::strain;
+use super::relaxation::Relaxation;
 use super::simulation::Previous;
-use super::{Frame, FrameReport, Simulation};
+use super::{ComponentReport, Cursor, Frame, FrameReport, Simulation};
 use crate::frames::energy;
 use crate::immersion::*;
 use crate::mesh::{EdgeId, Mesh, VertexId};
@@ -15,14 +16,15 @@ use std::collections::HashMap;
 impl Simulation {
     /// Rims and measures of the frames as they are and the positions they integrate to.
     pub(super) fn realize(&mut self, positions: Vec<DVec3>) -> Frame {
-        let Self { mesh, metric, homology, frames, .. } = &*self;
-        let shell = &self.parts.shell;
-        let rims = rims(shell, &frames_of_positions(mesh, metric, &positions, frames));
+        let Self { mesh, metric, homology, .. } = &*self;
+        let parts: Vec<Part> = self.components.iter().map(|relaxation| Part::of(relaxation, &positions)).collect();
+        let mut rims: Vec<EdgeId> = parts.iter().flat_map(|part| part.rims.iter().copied()).collect();
+        rims.sort_unstable();
         let pinch_points = pinch_points(mesh, &positions);
         let error = length_error(mesh, metric, &positions);
         let class: Vec<bool> = homology.generators().iter().map(|g| is_figure_8(mesh, &positions, &g.strip)).collect();
-        let stiffness = self.phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
-        let vectors = edge_vectors(mesh, metric, frames);
+        let cursors: Vec<Cursor> = self.components.iter().map(|relaxation| relaxation.cursor).collect();
+        let sum = |value: fn(&Part) -> f64| parts.iter().map(value).sum::<f64>();
         let mut report = FrameReport {
             frame: self.frame,
             time: self.time,
@@ -34,15 +36,21 @@ impl Simulation {
             rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
             pinch_points: pinch_points.len(),
             spin_class: class_digits(&class),
-            energy: energy(shell, stiffness, frames),
-            period_error: self.parts.periods.relative_error(mesh, metric, &vectors),
+            energy: sum(|part| part.energy),
+            period_error: (sum(|part| part.periods[0]) / sum(|part| part.periods[1])).sqrt(),
             curvature_error: self.curvature_error,
-            mean_distance: self.original.as_ref().map(|original| mean_distance(mesh, metric, original, &positions)),
-            pin_distance: self.pin_distance(&positions),
-            cursor: self.cursor,
-            converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
+            mean_distance: parts.iter().all(|part| part.mean_distance.is_some()).then(|| {
+                sum(|part| part.area * part.mean_distance.unwrap_or_default()) / sum(|part| part.area)
+            }),
+            pin_distance: parts.iter().filter_map(|part| part.pin_distance).reduce(f64::max),
+            enclosed_volume: enclosed_volume(mesh, &positions),
+            cursor: Cursor::of_all(&cursors),
+            converged: self.components.iter().all(Relaxation::has_converged),
             ..FrameReport::default()
         };
+        if parts.len() > 1 {
+            report.components = parts.into_iter().map(|part| part.report).collect();
+        }
         if let Some(previous) = &self.previous {
             let mut moves: Vec<f64> = positions.iter().zip(&previous.positions).map(|(a, b)| a.distance(*b)).collect();
             moves.sort_unstable_by(f64::total_cmp);
@@ -58,11 +66,53 @@ impl Simulation {
         });
         Frame { positions, rims, pinch_points, report }
     }
+}
 
+/// The measures of one component.
+struct Part {
+    /// Numbered as in the whole.
+    rims: Vec<EdgeId>,
+    area: f64,
+    energy: f64,
+    /// Squared norms of the harmonic part of the edge vectors and of the edge lengths.
+    periods: [f64; 2],
+    mean_distance: Option<f64>,
     /// The largest distance of a pinned vertex from its place; `None` without pins.
-    fn pin_distance(&self, positions: &[DVec3]) -> Option<f64> {
-        let distances = self.places.iter().map(|(v, place)| positions[v.index()].distance(*place));
-        distances.reduce(f64::max)
+    pin_distance: Option<f64>,
+    report: ComponentReport,
+}
+
+impl Part {
+    /// `positions` are those of the whole.
+    fn of(relaxation: &Relaxation, positions: &[DVec3]) -> Part {
+        let Relaxation { component, metric, parts, face_frames, phases, .. } = relaxation;
+        let mesh = &*component.mesh;
+        let positions = component.vertices.pick(positions);
+        let rims = rims(&parts.shell, &frames_of_positions(mesh, metric, &positions, face_frames));
+        let stiffness = phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
+        let vectors = edge_vectors(mesh, metric, face_frames);
+        let pin_distances = relaxation.places.iter().map(|(v, place)| positions[v.index()].distance(*place));
+        let mut report = ComponentReport {
+            faces: mesh.face_count(),
+            rims: rims.len(),
+            cursor: relaxation.cursor,
+            converged: relaxation.has_converged(),
+            ..ComponentReport::default()
+        };
+        if relaxation.of > 1 {
+            let error = length_error(mesh, metric, &positions);
+            (report.l2_length_error, report.max_length_error) = (error.l2, error.max);
+            report.pinch_points = pinch_points(mesh, &positions).len();
+        }
+        Part {
+            rims: rims.into_iter().map(|e| EdgeId::new(component.edges.whole(e.index()))).collect(),
+            area: metric.total_area(),
+            energy: energy(&parts.shell, stiffness, face_frames),
+            periods: parts.periods.squared_norms(mesh, metric, &vectors),
+            mean_distance: relaxation.original.as_ref().map(|o| mean_distance(mesh, metric, o, &positions)),
+            pin_distance: pin_distances.reduce(f64::max),
+            report,
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! The relaxation: phases, THE step, and when it ends.
 
 use super::acceleration::Acceleration;
-use super::{Cursor, EvolveError, Observer, Phase, Progress, Simulation};
+use super::relaxation::Relaxation;
+use super::{Cursor, EvolveError, Observer, Phase, Progress};
 use crate::algebra::SolveReport;
 use crate::frames::{Shell, random_frames};
 use crate::immersion::*;
@@ -11,13 +12,14 @@ use rayon::prelude::*;
 /// How often frames are drawn anew at most.
 const MAX_RESTARTS: usize = 8;
 
-impl Simulation {
+impl Relaxation {
     /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases.
     pub(super) fn run_all_phases(&mut self, observer: &mut dyn Observer) -> Result<(), EvolveError> {
         while self.cursor.phase < self.phases.len() {
             self.run_steps(usize::MAX, observer)?;
             self.draw_anew_if_tangled();
         }
+        self.turn_the_right_side_out();
         Ok(())
     }
 
@@ -48,21 +50,23 @@ impl Simulation {
     ) -> Result<usize, EvolveError> {
         let mut acceleration = Acceleration::default();
         for taken in 1..=left {
-            let before = self.frames.clone();
+            let before = self.face_frames.clone();
             let dt = if self.cursor.dt > 0.0 { self.cursor.dt } else { phase.step.dt };
             let (positions, solve) = self.step(phase, dt);
             self.cursor.step += 1;
             self.cursor.steps += 1;
-            let turn = mean_turn(&self.parts.shell, &before, &self.frames);
+            let turn = mean_turn(&self.parts.shell, &before, &self.face_frames);
             if !turn.is_finite() {
                 return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
             }
-            let l2_length_error = l2_length_error(&self.mesh, &self.metric, &positions);
+            let l2_length_error = l2_length_error(&self.component.mesh, &self.metric, &positions);
             let reached = self.is_accurate(l2_length_error, &positions);
             let settled = self.cursor.step >= phase.min_steps && turn < phase.tolerance_radians && phase.may_settle(dt);
             let max_steps = self.patience(phase, &positions);
             let progress = Progress {
-                frame: self.frame + 1,
+                frame: self.frame,
+                component: self.number,
+                components: self.of,
                 phase: self.cursor.phase,
                 phases: self.phases.len(),
                 restarts: self.cursor.restarts,
@@ -90,7 +94,7 @@ impl Simulation {
                 self.cursor.dt = phase.next_dt(dt, turn);
             }
             if phase.accelerate {
-                acceleration.correct(&before, &mut self.frames);
+                acceleration.correct(&before, &mut self.face_frames);
             }
         }
         Ok(left)
@@ -113,20 +117,20 @@ impl Simulation {
         let Some(seed) = self.seed else { return };
         let tangles = self.rims_at(&self.integrate());
         if self.fewest_rims.as_ref().is_none_or(|(fewest, _)| tangles < *fewest) {
-            self.fewest_rims = Some((tangles, self.frames.clone()));
+            self.fewest_rims = Some((tangles, self.face_frames.clone()));
         }
         if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
             self.cursor = Cursor { restarts: self.cursor.restarts + 1, ..self.cursor.at_start_of(0) };
             // Seeds of restarts are far from those that users write.
-            self.frames = random_frames(self.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
+            self.face_frames = random_frames(self.component.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
         } else if let Some((_, frames)) = self.fewest_rims.take() {
-            self.frames = frames;
+            self.face_frames = frames;
         }
     }
 
     /// The number of rims of the surface at these positions.
     fn rims_at(&self, positions: &[DVec3]) -> usize {
-        let frames = frames_of_positions(&self.mesh, &self.metric, positions, &self.frames);
+        let frames = frames_of_positions(&self.component.mesh, &self.metric, positions, &self.face_frames);
         rims(&self.parts.shell, &frames).len()
     }
 
@@ -135,11 +139,11 @@ impl Simulation {
     fn step(&mut self, phase: &Phase, dt: f64) -> (Vec<DVec3>, SolveReport) {
         let is_on_the_way = self.cursor.phase + 1 < self.phases.len();
         let options = phase.options(dt, is_on_the_way, self.cursor.turn);
-        let report = self.stepper.advance(&self.parts.shell, &options, &mut self.frames);
+        let report = self.stepper.advance(&self.parts.shell, &options, &mut self.face_frames);
         self.remove_periods(phase.periods);
         let positions = self.integrate();
-        let target = frames_of_positions(&self.mesh, &self.metric, &positions, &self.frames);
-        blend(&self.parts.shell, &mut self.frames, &target, phase.feedback);
+        let target = frames_of_positions(&self.component.mesh, &self.metric, &positions, &self.face_frames);
+        blend(&self.parts.shell, &mut self.face_frames, &target, phase.feedback);
         (positions, report)
     }
 
@@ -147,18 +151,18 @@ impl Simulation {
     fn remove_periods(&mut self, amount: f64) {
         let periods = &self.parts.periods;
         if amount > 0.0 && !periods.is_empty() {
-            let mut vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
-            let harmonic = periods.harmonic_part(&self.mesh, &self.metric, &vectors);
+            let mut vectors = edge_vectors(&self.component.mesh, &self.metric, &self.face_frames);
+            let harmonic = periods.harmonic_part(&self.component.mesh, &self.metric, &vectors);
             vectors.iter_mut().zip(harmonic).for_each(|(v, h)| *v -= h);
-            let target = frames_of_edge_vectors(&self.mesh, &self.metric, &vectors, &self.frames);
-            blend(&self.parts.shell, &mut self.frames, &target, amount);
+            let target = frames_of_edge_vectors(&self.component.mesh, &self.metric, &vectors, &self.face_frames);
+            blend(&self.parts.shell, &mut self.face_frames, &target, amount);
         }
     }
 
     /// Algorithm 7: positions from the averaged edge vectors.
     pub(super) fn integrate(&self) -> Vec<DVec3> {
-        let vectors = edge_vectors(&self.mesh, &self.metric, &self.frames);
-        self.parts.poisson.solve(&self.mesh, &self.metric, &vectors, &self.places)
+        let vectors = edge_vectors(&self.component.mesh, &self.metric, &self.face_frames);
+        self.parts.poisson.solve(&self.component.mesh, &self.metric, &vectors, &self.places)
     }
 }
 

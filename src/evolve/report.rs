@@ -21,6 +21,9 @@ pub struct Cursor {
     pub turn: f64,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
+    /// Whether the mirror image was taken of what random frames had led to.
+    #[serde(default)]
+    pub mirrored: bool,
 }
 
 impl Cursor {
@@ -28,6 +31,40 @@ impl Cursor {
     pub(super) fn at_start_of(self, phase: usize) -> Cursor {
         Cursor { phase, step: 0, dt: 0.0, turn: 0.0, ..self }
     }
+
+    /// Of several components together: steps and restarts of all, and where the one stands that is least far.
+    pub(super) fn of_all(cursors: &[Cursor]) -> Cursor {
+        let Some(least) = cursors.iter().min_by_key(|cursor| (cursor.phase, cursor.step)) else {
+            return Cursor::default();
+        };
+        Cursor {
+            steps: cursors.iter().map(|cursor| cursor.steps).sum(),
+            restarts: cursors.iter().map(|cursor| cursor.restarts).sum(),
+            settled: cursors.iter().all(|cursor| cursor.settled),
+            mirrored: cursors.iter().any(|cursor| cursor.mirrored),
+            ..*least
+        }
+    }
+}
+
+/// What one of several components is worth.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct ComponentReport {
+    /// Number of its faces.
+    pub faces: usize,
+    /// Root mean square of the relative length errors of its edges.
+    pub l2_length_error: f64,
+    /// Their largest absolute value.
+    pub max_length_error: f64,
+    /// Number of its rim edges.
+    pub rims: usize,
+    /// Number of its pinch points.
+    pub pinch_points: usize,
+    /// How far its relaxation has come.
+    #[serde(flatten)]
+    pub cursor: Cursor,
+    /// Whether all its phases are done and the last one met its tolerance.
+    pub converged: bool,
 }
 
 /// One line of `inspect`: what a cached frame is worth.
@@ -85,11 +122,28 @@ pub struct FrameReport {
     /// and that moved to an edge which shares a vertex with the old one.
     #[serde(default)]
     pub rims_moved: usize,
+    /// The volume that the surface encloses, positive where its front is outside; parts that are covered several times
+    /// count as often. `None` for a surface with boundary.
+    #[serde(default)]
+    pub enclosed_volume: Option<f64>,
+    /// The components one by one, where there are several.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub components: Vec<ComponentReport>,
     /// How far the relaxation has come.
     #[serde(flatten)]
     pub cursor: Cursor,
     /// Wall time of these steps.
     pub seconds: f64,
-    /// Whether all phases are done and the last one met its tolerance.
+    /// Whether all phases are done and the last one met its tolerance, in every component.
     pub converged: bool,
+}
+
+impl FrameReport {
+    /// Where the relaxation of each component stands.
+    pub fn cursors(&self) -> Vec<Cursor> {
+        match self.components.as_slice() {
+            [] => vec![self.cursor],
+            components => components.iter().map(|component| component.cursor).collect(),
+        }
+    }
 }

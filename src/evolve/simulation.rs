@@ -1,63 +1,42 @@
 //! Algorithm 2 in time: a surface whose metric changes, frame by frame.
 
-use super::discretization::Discretization;
+use super::course::{Course, metric_of};
+use super::relaxation::{Beginning, Relaxation};
 use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
-use crate::frames::{Shell, Stepper, random_frames, spectral_frames};
-use crate::immersion::{Pins, TargetBending, initial_positions, rimless_frames, spin_from_scene};
-use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
-use crate::metric::{Metric, MetricAt, MetricProgram, lengths_of_positions};
-use crate::scene::{AtKey, Scene, SpinSection, StartFrom};
+use crate::algebra::Complex;
+use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene};
+use crate::mesh::{self, Component, EdgeId, Mesh, Surface, VertexId};
+use crate::metric::{Metric, MetricAt, MetricProgram};
+use crate::scene::{AtKey, Scene, SpinSection};
 use crate::spin::{Homology, SpinStructure};
 use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
+use std::sync::Arc;
 
 /// A thin shell whose metric, bending and pins follow a scene, and its state: one unit quaternion per face.
 #[derive(Debug)]
 pub struct Simulation {
     /// Connectivity.
-    pub mesh: Mesh,
+    pub mesh: Arc<Mesh>,
     /// What had to be repaired in the mesh, in words.
     pub repairs: Vec<String>,
     /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
     pub mesh_places: Option<Vec<DVec3>>,
-    /// Edge lengths and what they determine, now.
-    pub metric: Metric,
+    /// Edge lengths and what they determine, at the time of the last frame.
+    pub metric: Arc<Metric>,
     /// Generators of the homology.
-    pub homology: Homology,
-    /// The regular homotopy class, as signs of τ.
-    pub spin: SpinStructure,
-    /// Stages of the relaxation of the first frame.
-    pub phases: Vec<Phase>,
-    /// The state: one unit quaternion per face.
-    pub frames: Vec<DQuat>,
-    pub(super) program: MetricProgram,
-    pub(super) bending: Option<TargetBending>,
-    pub(super) pins: Pins,
+    pub homology: Arc<Homology>,
+    /// Positions of the mesh, |V|, if it has any.
+    pub(super) mesh_positions: Option<Vec<DVec3>>,
+    /// The components, each relaxed on its own.
+    pub(super) components: Vec<Relaxation>,
+    pub(super) course: Course,
     pub(super) clock: Clock,
-    /// Whether anything in the scene depends on time.
-    changes: bool,
     pub(super) pace: Pace,
-    /// L2 length error at which a frame without rims is done.
-    pub(super) accuracy: Option<f64>,
     /// The last frame that was made; 0 before the first.
     pub(super) frame: usize,
     pub(super) time: f64,
-    pub(super) cursor: Cursor,
-    /// q on every generator, which must stay.
-    pub(super) class: Vec<bool>,
-    pub(super) places: Vec<(VertexId, DVec3)>,
     pub(super) curvature_error: Option<f64>,
-    pub(super) parts: Discretization,
-    pub(super) stepper: Stepper,
-    /// What random frames are drawn with; `None` for other starts.
-    pub(super) seed: Option<u64>,
-    /// The best attempt so far: its number of rims, and its frames.
-    pub(super) fewest_rims: Option<(usize, Vec<DQuat>)>,
-    /// Positions of the mesh, where the metric at the start is theirs.
-    pub(super) original: Option<Vec<DVec3>>,
-    pub(super) start: StartFrom,
-    /// Positions that frames start from.
-    pub(super) shape: Option<Vec<DVec3>>,
     /// Of the last frame.
     pub(super) previous: Option<Previous>,
 }
@@ -98,8 +77,8 @@ pub struct Checkpoint {
     pub positions: Vec<DVec3>,
     /// Edges with rim bit 1.
     pub rims: Vec<EdgeId>,
-    /// How far the relaxation was.
-    pub cursor: Cursor,
+    /// How far the relaxation of each component was.
+    pub cursors: Vec<Cursor>,
 }
 
 impl Simulation {
@@ -121,7 +100,7 @@ impl Simulation {
         let clock = Clock::from_scene(&scene.clock);
         let time = clock.time(1);
         let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
-        let MetricAt { metric, curvature_error } = program.at(&surface.mesh, time)?;
+        let now = program.at(&surface.mesh, time)?;
         let shape = initial_positions(&scene.start, &scene.folder, &surface, &parameters, time)?;
         let bending = match &scene.bending {
             None => None,
@@ -131,57 +110,49 @@ impl Simulation {
         };
         let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
         let mesh_places = surface.places().map(<[DVec3]>::to_vec);
-        let Surface { mesh, positions, repairs, .. } = surface;
-        let positions = positions.as_deref();
-        let homology = Homology::new(&mesh, &metric);
-        let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
-        let pinned = pins.at(time)?;
-        let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
-        let phases = phases_from_scene(&scene.phases, &scene.start.from, mesh.face_count());
-        let stepper = |shell: &Shell| {
-            let mut stepper = Stepper::new(shell);
-            phases.first().inspect(|first| stepper.prepare(shell, &first.step));
-            stepper
-        };
-        let (parts, stepper) =
-            Discretization::new(&mesh, &metric, &spin, &homology, angles.as_deref(), pins.vertices(), stepper)?;
-
-        let (frames, seed) = start(&scene.start.from, &mesh, &metric, &parts.shell, shape.as_deref());
-        let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
-        let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);
-        let class = spin.class(&mesh, &metric, &homology);
+        let Surface { mesh, positions: mesh_positions, repairs, .. } = surface;
+        let mesh = Arc::new(mesh);
+        let MetricAt { metric, curvature_error } = now;
+        let metric = Arc::new(metric);
+        let homology = Arc::new(Homology::new(&mesh, &metric));
+        let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, mesh_positions.as_deref())?;
         if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
             return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
         }
+        let course = Course::new(mesh.clone(), program, bending, pins, (time, metric.clone(), curvature_error));
+        let beginning = Beginning {
+            spin: &spin,
+            metric: &metric,
+            homology: &homology,
+            positions: mesh_positions.as_deref(),
+            shape: shape.as_deref(),
+            start: &scene.start.from,
+            orientation: scene.start.orientation,
+            accuracy: scene.clock.accuracy,
+            time,
+        };
+        let phases = |faces| phases_from_scene(&scene.phases, &scene.start.from, faces);
+        let components = Component::all_of(&mesh);
+        let of = components.len();
+        let components = components
+            .into_iter()
+            .enumerate()
+            .map(|(k, component)| Relaxation::new(component, [k, of], &beginning, &course, phases))
+            .collect::<Result<_, _>>()?;
         Ok(Simulation {
             mesh,
             repairs,
             mesh_places,
             metric,
             homology,
-            spin,
-            phases,
-            frames,
-            program,
-            bending,
-            pins,
+            mesh_positions,
+            components,
+            pace: Pace::from_scene(&scene.clock, &scene.spin, course.changes()),
+            course,
             clock,
-            changes,
-            accuracy: scene.clock.accuracy,
-            pace: Pace::from_scene(&scene.clock, &scene.spin, changes),
             frame: 0,
             time,
-            cursor: Cursor::default(),
-            class,
-            places: pinned,
             curvature_error,
-            parts,
-            stepper,
-            seed,
-            fewest_rims: None,
-            original,
-            start: scene.start.from.clone(),
-            shape,
             previous: None,
         })
     }
@@ -194,31 +165,36 @@ impl Simulation {
     /// for its pins at the time of the frame.
     pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
         let time = self.clock.time(self.frame + 1);
-        match (self.pace, self.frame) {
-            (Pace::EachClass, made) => {
-                self.move_to(time)?;
-                self.begin_class(made)?;
-                self.run_all_phases(observer)?;
-            }
-            (Pace::Settle(settling), 0) => {
-                self.run_all_phases(observer)?;
-                if self.clock.is_looping() {
-                    self.run_a_lap(&settling, observer)?;
-                }
-            }
-            (Pace::Settle(settling), _) => self.follow(time, &settling, observer)?,
-            // The first frame of a film of the relaxation is where it starts.
-            (Pace::Steps(_), 0) => {}
-            (Pace::Steps(steps), _) => {
-                self.move_to(time)?;
-                if self.changes {
-                    self.stay_in_last_phase();
-                }
-                self.run_steps(steps, observer)?;
-            }
+        let (pace, made, clock) = (self.pace, self.frame, self.clock);
+        if let Pace::EachClass = pace {
+            self.begin_class(made, time)?;
         }
-        self.verify_class()?;
+        let Simulation { components, course, .. } = self;
+        for relaxation in components {
+            relaxation.frame = made + 1;
+            match (pace, made) {
+                (Pace::EachClass, _) => relaxation.run_all_phases(observer)?,
+                (Pace::Settle(settling), 0) => {
+                    relaxation.run_all_phases(observer)?;
+                    if clock.is_looping() {
+                        relaxation.run_a_lap(course, &clock, &settling, observer)?;
+                    }
+                }
+                (Pace::Settle(settling), _) => relaxation.follow(course, time, &settling, observer)?,
+                // The first frame of a film of the relaxation is where it starts.
+                (Pace::Steps(_), 0) => {}
+                (Pace::Steps(steps), _) => {
+                    relaxation.move_to(course, time)?;
+                    if course.changes() {
+                        relaxation.stay_in_last_phase();
+                    }
+                    relaxation.run_steps(steps, observer)?;
+                }
+            }
+            relaxation.verify_class()?;
+        }
         self.frame += 1;
+        self.take_metric(time)?;
         Ok(self.frame_now())
     }
 
@@ -227,28 +203,40 @@ impl Simulation {
     /// # Errors
     /// [`EvolveError`] if the observer stops it or frames are no longer finite.
     pub fn relax(&mut self, steps: Option<usize>, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
-        match steps {
-            None => self.run_all_phases(observer)?,
-            Some(steps) => self.run_steps(steps, observer)?,
+        for relaxation in &mut self.components {
+            match steps {
+                None => relaxation.run_all_phases(observer)?,
+                Some(steps) => relaxation.run_steps(steps, observer)?,
+            }
         }
         Ok(self.frame_now())
     }
 
     /// Starts over in the class with this number, the last generator being its last binary digit.
-    fn begin_class(&mut self, number: usize) -> Result<(), EvolveError> {
+    fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
         let betti = self.homology.betti();
-        self.class = (0..betti).map(|k| number >> (betti - 1 - k) & 1 == 1).collect();
-        self.spin = SpinStructure::of_class(&self.mesh, &self.metric, &self.homology, &self.class)?;
-        self.discretize()?;
-        (self.frames, _) = start(&self.start, &self.mesh, &self.metric, &self.parts.shell, self.shape.as_deref());
-        self.cursor = Cursor::default();
+        let class: Vec<bool> = (0..betti).map(|k| number.checked_shr((betti - 1 - k) as u32).unwrap_or(0) & 1 == 1).collect();
+        let mut rest = class.as_slice();
+        for relaxation in &mut self.components {
+            let own;
+            // Generators come component by component.
+            (own, rest) = rest.split_at(relaxation.homology.betti());
+            relaxation.move_to(&mut self.course, time)?;
+            relaxation.begin_class(&self.course, own.to_vec())?;
+        }
         self.previous = None;
         Ok(())
     }
 
+    fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
+        let asked = self.course.metric(time)?;
+        (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
+        self.time = time;
+        Ok(())
+    }
+
     fn frame_now(&mut self) -> Frame {
-        let mut positions = self.integrate();
-        self.place(&mut positions);
+        let positions = self.placed();
         self.realize(positions)
     }
 
@@ -257,37 +245,58 @@ impl Simulation {
     /// # Errors
     /// [`EvolveError`] if the scene gives no metric at that time.
     pub fn resume(&mut self, from: Checkpoint) -> Result<(), EvolveError> {
-        debug_assert_eq!(from.frames.len(), self.frames.len());
+        debug_assert_eq!(from.frames.len(), self.mesh.face_count());
         self.frame = from.frame;
         self.time = self.clock.time(from.frame);
-        self.metric = Metric::new(&self.mesh, from.edge_lengths.clone())
-            .map_err(|error| EvolveError::Metric { time: self.time, error: AtKey { key: "metric".into(), error } })?;
-        self.spin = from.spin;
-        self.discretize()?;
-        self.frames = from.frames;
-        self.cursor = from.cursor;
+        let at_time = |time| move |error| EvolveError::Metric { time, error: AtKey { key: "metric".into(), error } };
+        self.metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(at_time(self.time))?);
+        for (relaxation, cursor) in self.components.iter_mut().zip(from.cursors) {
+            let component = &relaxation.component;
+            relaxation.metric = metric_of(component, &self.metric).map_err(at_time(self.time))?;
+            relaxation.spin = SpinStructure::from_transports(component.edges.pick(from.spin.transports()));
+            relaxation.face_frames = component.faces.pick(&from.frames);
+            (relaxation.cursor, relaxation.time, relaxation.frame) = (cursor, self.time, from.frame);
+            relaxation.discretize(&self.course)?;
+        }
         self.previous = Some(Previous { positions: from.positions, rims: from.rims, edge_lengths: from.edge_lengths });
         Ok(())
     }
-}
 
-/// Whether the lengths of a metric are those of positions, up to rounding.
-fn are_lengths_of(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> bool {
-    let lengths = lengths_of_positions(mesh, positions);
-    metric.edge_lengths().iter().zip(lengths).all(|(a, b)| (a - b).abs() <= 1e-9 * a)
-}
+    /// Whether the scene gives a metric, bending angles and places for pins at the times of all frames, found without
+    /// simulating.
+    ///
+    /// # Errors
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which it does not.
+    pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
+        self.clock.times().try_for_each(|time| self.course.check(time))
+    }
 
-/// The frames to start from, and the seed of random ones. `shape` is that of [`initial_positions`].
-fn start(
-    from: &StartFrom,
-    mesh: &Mesh,
-    metric: &Metric,
-    shell: &Shell,
-    shape: Option<&[DVec3]>,
-) -> (Vec<DQuat>, Option<u64>) {
-    match (from, shape) {
-        (_, Some(shape)) => (rimless_frames(mesh, metric, shell, shape), None),
-        (StartFrom::Random(seed), _) => (random_frames(mesh.face_count(), *seed), Some(*seed)),
-        _ => (spectral_frames(shell), None),
+    /// The state: unit quaternions, |F|.
+    pub fn face_frames(&self) -> Vec<DQuat> {
+        let mut whole = vec![DQuat::IDENTITY; self.mesh.face_count()];
+        self.components.iter().for_each(|part| part.component.faces.put(&part.face_frames, &mut whole));
+        whole
+    }
+
+    /// Takes other frames for the state, |F|.
+    pub fn set_face_frames(&mut self, frames: &[DQuat]) {
+        self.components.iter_mut().for_each(|part| part.face_frames = part.component.faces.pick(frames));
+    }
+
+    /// The regular homotopy class, as signs of τ.
+    pub fn spin(&self) -> SpinStructure {
+        let mut whole = vec![Complex::ONE; self.mesh.edge_count()];
+        self.components.iter().for_each(|part| part.component.edges.put(part.spin.transports(), &mut whole));
+        SpinStructure::from_transports(whole)
+    }
+
+    /// Stages of the relaxation of the first frame, of the first component.
+    pub fn phases(&self) -> &[Phase] {
+        self.components.first().map_or(&[], |part| &part.phases)
+    }
+
+    /// Changes the stages of every component.
+    pub fn change_phases(&mut self, change: impl Fn(&mut Vec<Phase>)) {
+        self.components.iter_mut().for_each(|part| change(&mut part.phases));
     }
 }

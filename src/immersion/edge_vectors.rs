@@ -84,11 +84,17 @@ impl Periods {
 
     /// Norm of the harmonic part relative to the norm of the edge lengths; 0 when all periods vanish.
     pub fn relative_error(&self, mesh: &Mesh, metric: &Metric, vectors: &[DVec3]) -> f64 {
+        let [error, scale] = self.squared_norms(mesh, metric, vectors);
+        (error / scale).sqrt()
+    }
+
+    /// Squared norms of the harmonic part and of the edge lengths.
+    pub fn squared_norms(&self, mesh: &Mesh, metric: &Metric, vectors: &[DVec3]) -> [f64; 2] {
         let part = self.harmonic_part(mesh, metric, vectors);
         let weighted = |e| metric.primal_weight(e);
         let error: f64 = mesh.edges().map(|e| weighted(e) * part[e.index()].length_squared()).sum();
         let scale: f64 = mesh.edges().map(|e| weighted(e) * metric.length(e).powi(2)).sum();
-        (error / scale).sqrt()
+        [error, scale]
     }
 }
 

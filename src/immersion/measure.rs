@@ -90,6 +90,18 @@ pub fn pinch_points(mesh: &Mesh, positions: &[DVec3]) -> Vec<VertexId> {
         .collect()
 }
 
+/// The volume that a surface encloses, positive where its front is outside; parts that are covered several times count
+/// as often. `None` for a surface with boundary.
+pub fn enclosed_volume(mesh: &Mesh, positions: &[DVec3]) -> Option<f64> {
+    if mesh.edges().any(|e| mesh.is_boundary_edge(e)) {
+        return None;
+    }
+    // From a point near the surface, so that nothing cancels far from the origin.
+    let origin = *positions.first()?;
+    let corners = |f| mesh.corners(f).map(|v: VertexId| positions[v.index()] - origin);
+    Some(mesh.faces().map(|f| corners(f)).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum())
+}
+
 /// Bending angles α of a map in radians, |E|, 0 on the boundary: the angle from the normal on the named side
 /// of an edge to the one on the other side, with the sign of Eq. 15.
 pub fn bending_angles(mesh: &Mesh, positions: &[DVec3]) -> Vec<f64> {

@@ -23,7 +23,7 @@ pub use edge_vectors::{Periods, edge_vectors};
 pub use fields::{FieldInput, FieldValues, Fields};
 pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
-    LengthError, bending_angles, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
+    LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
     rims,
 };
 pub use pins::{PinError, Pins};

@@ -1,5 +1,6 @@
 //! Connectivity: halfedges, validation and repair, file readers and generated shapes.
 
+mod component;
 mod connectivity;
 mod error;
 mod from_scene;
@@ -9,6 +10,7 @@ mod repair;
 mod selection;
 pub mod shapes;
 
+pub use component::{Component, Subset};
 pub use connectivity::Mesh;
 pub use error::MeshError;
 pub use from_scene::from_scene;

@@ -48,6 +48,14 @@ pub(super) fn start(table: &mut Table) -> StartSection {
             .key("formula", "Where each vertex of those positions is moved: expressions in x, y, z and the parameters.")
             .optional(["x", "y", "0.5 * z"].map(str::to_owned)),
         noise: table.optional_table("noise", "Smooth random displacement of those positions.", noise),
+        orientation: table
+            .choice(
+                "orientation",
+                "Which of two mirror images random frames end in: that of the mesh's positions, else the one whose \
+                 front is outside.",
+                &[("outward", Orientation::Outward), ("as it comes", Orientation::AsItComes)],
+            )
+            .unwrap_or_default(),
     };
     if matches!(section.from, StartFrom::Random(_) | StartFrom::Spectral) {
         for name in ["formula", "noise"].into_iter().filter(|name| table.has(name)) {

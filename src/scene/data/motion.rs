@@ -26,6 +26,19 @@ pub struct StartSection {
     pub formula: Option<[String; 3]>,
     /// What is added to them.
     pub noise: Option<NoiseSection>,
+    /// Which of two mirror images random and spectral frames end in.
+    pub orientation: Orientation,
+}
+
+/// Which of two mirror images is taken. Lengths cannot tell them apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Orientation {
+    /// That of the mesh's positions where their lengths are asked for, else the one whose front is outside: of
+    /// positive enclosed volume.
+    #[default]
+    Outward,
+    /// Whichever comes.
+    AsItComes,
 }
 
 impl From<StartFrom> for StartSection {
