@@ -22,7 +22,6 @@ impl Relaxation {
         settling: &Settling,
         observer: &mut dyn Observer,
     ) -> Result<(), EvolveError> {
-        let phase = settling.phase(&self.phases);
         let there = course.metric_of(&self.component, time)?;
         let parts = self.parts_to(course, time, &there, settling.max_strain)?;
         let from = self.time;
@@ -30,13 +29,11 @@ impl Relaxation {
         self.cursor = self.cursor.at_start_of(phases_done);
         for part in 1..parts {
             self.move_to(course, from + (time - from) * part as f64 / parts as f64)?;
-            self.run_phase(&phase, STEPS_ON_THE_WAY, observer)?;
+            self.run_phase(&self.following_phase(settling), STEPS_ON_THE_WAY, observer)?;
             self.cursor = self.cursor.at_start_of(phases_done);
         }
         self.take_on(course, time, there)?;
-        self.run_phase(&phase, settling.max_steps, observer)?;
-        self.cursor = self.cursor.at_start_of(phases_done);
-        Ok(())
+        self.settle(settling, observer)
     }
 
     /// Once around a loop, so that its first frame is what the last one leads to.

@@ -15,6 +15,7 @@ mod relax;
 mod relaxation;
 mod report;
 mod simulation;
+mod smoothness;
 
 pub use error::{EvolveError, SetupError};
 pub use pace::{Pace, Settling};

@@ -44,6 +44,7 @@ impl Simulation {
             }),
             pin_distance: parts.iter().filter_map(|part| part.pin_distance).reduce(f64::max),
             enclosed_volume: enclosed_volume(mesh, &positions),
+            largest_dent: parts.iter().map(|part| part.dent).reduce(|a, b| Some(a?.max(b?))).flatten(),
             cursor: Cursor::of_all(&cursors),
             converged: self.components.iter().all(Relaxation::has_converged),
             ..FrameReport::default()
@@ -77,6 +78,7 @@ struct Part {
     /// Squared norms of the harmonic part of the edge vectors and of the edge lengths.
     periods: [f64; 2],
     mean_distance: Option<f64>,
+    dent: Option<f64>,
     /// The largest distance of a pinned vertex from its place; `None` without pins.
     pin_distance: Option<f64>,
     report: ComponentReport,
@@ -110,6 +112,7 @@ impl Part {
             energy: energy(&parts.shell, stiffness, face_frames),
             periods: parts.periods.squared_norms(mesh, metric, &vectors),
             mean_distance: relaxation.original.as_ref().map(|o| mean_distance(mesh, metric, o, &positions)),
+            dent: relaxation.dent(&positions),
             pin_distance: pin_distances.reduce(f64::max),
             report,
         }

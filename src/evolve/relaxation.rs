@@ -46,6 +46,8 @@ pub(super) struct Relaxation {
     pub stepper: Stepper,
     pub start: StartFrom,
     pub orientation: Orientation,
+    /// Whether the start is the mesh's own shape, and nothing asks for folds.
+    pub is_smooth: bool,
     /// What random frames are drawn with; `None` for other starts.
     pub seed: Option<u64>,
     /// The best attempt so far: its number of rims, and its frames.
@@ -70,6 +72,7 @@ pub(super) struct Beginning<'a> {
     pub shape: Option<&'a [DVec3]>,
     pub start: &'a StartFrom,
     pub orientation: Orientation,
+    pub is_smooth: bool,
     pub accuracy: Option<f64>,
     pub time: f64,
 }
@@ -126,6 +129,7 @@ impl Relaxation {
             stepper,
             start: start.clone(),
             orientation: beginning.orientation,
+            is_smooth: beginning.is_smooth,
             seed,
             fewest_rims: None,
             original,

@@ -21,6 +21,9 @@ pub struct Cursor {
     pub turn: f64,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
+    /// How often the bending stiffness of a film came down from what it started with.
+    #[serde(default)]
+    pub level: usize,
     /// Whether the mirror image was taken of what random frames had led to.
     #[serde(default)]
     pub mirrored: bool,
@@ -126,6 +129,10 @@ pub struct FrameReport {
     /// count as often. `None` for a surface with boundary.
     #[serde(default)]
     pub enclosed_volume: Option<f64>,
+    /// How far the deepest inward dent of a surface of convex metric lies inside its convex hull. `None` where the metric
+    /// is not convex, or one of the components has another.
+    #[serde(default)]
+    pub largest_dent: Option<f64>,
     /// The components one by one, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub components: Vec<ComponentReport>,

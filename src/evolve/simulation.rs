@@ -7,7 +7,7 @@ use crate::algebra::Complex;
 use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene};
 use crate::mesh::{self, Component, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricAt, MetricProgram};
-use crate::scene::{AtKey, Scene, SpinSection};
+use crate::scene::{AtKey, Scene, SpinSection, StartFrom, StartSection};
 use crate::spin::{Homology, SpinStructure};
 use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
@@ -128,6 +128,7 @@ impl Simulation {
             shape: shape.as_deref(),
             start: &scene.start.from,
             orientation: scene.start.orientation,
+            is_smooth: starts_smooth(scene),
             accuracy: scene.clock.accuracy,
             time,
         };
@@ -176,6 +177,7 @@ impl Simulation {
                 (Pace::EachClass, _) => relaxation.run_all_phases(observer)?,
                 (Pace::Settle(settling), 0) => {
                     relaxation.run_all_phases(observer)?;
+                    relaxation.take_out_dents(&settling, observer)?;
                     if clock.is_looping() {
                         relaxation.run_a_lap(course, &clock, &settling, observer)?;
                     }
@@ -299,4 +301,15 @@ impl Simulation {
     pub fn change_phases(&mut self, change: impl Fn(&mut Vec<Phase>)) {
         self.components.iter_mut().for_each(|part| change(&mut part.phases));
     }
+}
+
+/// Whether frames start from the mesh's own shape, and the scene asks for no folds: neither by a shape that was made
+/// for them, nor by target bending angles, nor by phases of its own.
+fn starts_smooth(scene: &Scene) -> bool {
+    let StartSection { from, formula, noise, .. } = &scene.start;
+    *from == StartFrom::Mesh
+        && formula.is_none()
+        && noise.is_none()
+        && scene.bending.is_none()
+        && scene.phases.is_empty()
 }

@@ -3,6 +3,7 @@
 mod alignment;
 mod bending;
 mod conformal_factor;
+mod convexity;
 mod curvature;
 mod deform;
 mod edge_vectors;
@@ -17,6 +18,7 @@ mod spin_of_immersion;
 pub use alignment::RigidMotion;
 pub use bending::{BendingError, TargetBending};
 pub use conformal_factor::ConformalFactor;
+pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::{Periods, edge_vectors};
