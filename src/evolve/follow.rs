@@ -2,6 +2,7 @@
 
 use super::discretization::Discretization;
 use super::{EvolveError, Observer, Settling, Simulation};
+use crate::mesh::VertexId;
 use crate::metric::MetricAt;
 use crate::spin::{ChangeOfMetric, class_digits};
 
@@ -97,7 +98,10 @@ impl Simulation {
         let stars = self.spin.figure_8_vertices(&self.mesh, &self.metric);
         let class = self.spin.class(&self.mesh, &self.metric, &self.homology);
         if let Some(vertex) = stars.first() {
-            return Err(EvolveError::StarChanged { time: self.time, vertex: *vertex });
+            return Err(EvolveError::StarChanged {
+                time: self.time,
+                vertex: self.mesh.file_vertex(VertexId::new(*vertex)),
+            });
         }
         if class != self.class {
             let [before, after] = [&self.class, &class].map(|class| class_digits(class));

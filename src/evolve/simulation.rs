@@ -108,7 +108,7 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the scene is at fault.
     pub fn from_scene(scene: &Scene) -> Result<Simulation, SetupError> {
-        Simulation::new(scene, mesh::from_scene(&scene.mesh, &scene.folder)?)
+        Simulation::new(scene, mesh::of_scene(scene)?)
     }
 
     /// As [`Simulation::from_scene`], with a surface from memory in place of the scene's `[mesh]`.

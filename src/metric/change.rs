@@ -1,7 +1,7 @@
 //! What a scene does to edge lengths: conformal factors and Ricci flow.
 
 use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow};
-use crate::mesh::{Mesh, Surface, read_vertex_numbers, select_vertices};
+use crate::mesh::{Mesh, Surface, VertexId, read_vertex_numbers, select_vertices};
 use crate::scene::{AtKey, ChangeKind, MetricChangeSection, RicciSection};
 use crate::timeline::{Formula, Number, Parameters};
 use glam::DVec3;
@@ -89,7 +89,8 @@ impl Change {
                 let formula = log_scale.at(time);
                 let u: Vec<f64> = places.iter().map(|p| amount * formula.value(&p.to_array())).collect();
                 if let Some(vertex) = u.iter().position(|u| !u.is_finite()) {
-                    return Err(MetricError::LogScale { vertex, value: u[vertex] });
+                    let number = mesh.file_vertex(VertexId::new(vertex));
+                    return Err(MetricError::LogScale { vertex: number, value: u[vertex] });
                 }
                 let scale = |e: crate::mesh::EdgeId| {
                     let [a, b] = mesh.edge_vertices(e).map(|v| u[v.index()]);
