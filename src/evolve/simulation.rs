@@ -16,7 +16,7 @@ use glam::{DQuat, DVec3};
 pub struct Simulation {
     /// Connectivity.
     pub mesh: Mesh,
-    /// What had to be repaired in the mesh, in words.
+    /// What had to be repaired in the mesh, and what else is worth saying of the scene, in words.
     pub repairs: Vec<String>,
     /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
     pub mesh_places: Option<Vec<DVec3>>,
@@ -131,7 +131,8 @@ impl Simulation {
         };
         let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
         let mesh_places = surface.places().map(<[DVec3]>::to_vec);
-        let Surface { mesh, positions, repairs, .. } = surface;
+        let Surface { mesh, positions, mut repairs, .. } = surface;
+        repairs.extend(program.notes());
         let positions = positions.as_deref();
         let homology = Homology::new(&mesh, &metric);
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
