@@ -1,6 +1,7 @@
 //! The simulation: from frame to frame, phases, THE step, stopping, and the report per frame.
 
 mod acceleration;
+mod contradictions;
 mod discretization;
 mod error;
 mod follow;

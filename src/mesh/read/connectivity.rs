@@ -50,6 +50,11 @@ impl Soup {
     }
 
     pub(super) fn in_file(&self, path: &Path, format: Format, error: MeshError, lines: &[usize]) -> MeshError {
+        if let MeshError::Empty | MeshError::TooLarge { .. } = error {
+            let message = error.to_string();
+            let (reason, remedy) = message.split_once("; ").unwrap_or((&message, "correct it"));
+            return MeshError::File { path: path.to_owned(), reason: reason.to_owned(), remedy: remedy.to_owned() };
+        }
         let (path, error) = (path.to_owned(), Box::new(error));
         MeshError::InFile { path, lines: lines.to_vec(), counted_from: format.counts_from(), error }
     }
