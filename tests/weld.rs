@@ -196,6 +196,23 @@ fn cubes_that_touch_stay_apart() {
     }
 }
 
+/// Triangles that are no surfaces side by side are refused as before.
+#[test]
+fn what_is_torn_is_no_surface() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.stl");
+    let (mut points, faces) = cube(DVec3::ZERO);
+    points.push(DVec3::new(0.0, -1.0, -1.0));
+    for (more, part) in
+        [([0, 2, 3], "have the same corners"), ([0, 1, 8], "shared by 3 faces"), ([0, 0, 3], "two of them equal")]
+    {
+        let faces: Triangles = faces.iter().copied().chain([more]).collect();
+        fs::write(&path, stl(&points, &faces, || DVec3::ZERO)).expect("a file");
+        let error = read(&path).expect_err(part).to_string();
+        assert!(error.contains(part) && error.contains("counted from 0"), "{error}");
+    }
+}
+
 /// Two sheets that lie upon each other are not a surface around nothing.
 #[test]
 fn sheets_upon_each_other_stay_two() {

@@ -29,8 +29,6 @@ pub(super) struct Welded {
     pub coincident: Vec<[u32; 2]>,
     /// How far apart the first of these are.
     pub distance: f64,
-    /// Whether boundary edges are left that have both ends in common with others.
-    pub open_seams: bool,
 }
 
 /// A distance that is nothing on this mesh.
@@ -48,32 +46,20 @@ pub(super) fn small_distance(triangles: &[[u32; 3]], positions: &[DVec3]) -> f64
 /// Glues what coincides exactly, and then what does within a tolerance; nothing without one. `None` if the faces are at
 /// fault as they are.
 pub(super) fn weld(triangles: &[[u32; 3]], positions: &[DVec3], tolerance: Option<f64>) -> Option<Welded> {
-    let orientable = orient(positions.len(), triangles).ok()?;
-    let oriented: Vec<[u32; 3]> = triangles
-        .iter()
-        .zip(&orientable.reversed)
-        .map(|(&[a, b, c], &reverse)| if reverse { [a, c, b] } else { [a, b, c] })
-        .collect();
-    let mut is_inner = vec![false; 3 * triangles.len()];
-    for pair in &orientable.pairs {
-        for f in pair.faces {
-            let on_edge =
-                |k: &usize| pair.edge.contains(&oriented[f][*k]) && pair.edge.contains(&oriented[f][(*k + 1) % 3]);
-            (0..3).filter(on_edge).for_each(|k| is_inner[3 * f + k] = true);
-        }
-    }
-    let mut components = Components::new(triangles.len());
-    orientable.pairs.iter().for_each(|pair| {
-        components.join(pair.faces[0], pair.faces[1], false);
-    });
-    let mut seams = Seams { oriented, positions, is_inner, components, glued: Vec::new() };
+    let mut seams = Seams::new(triangles, positions)?;
     if let Some(tolerance) = tolerance {
-        seams.glue(0.0);
-        if tolerance > 0.0 {
-            seams.glue(tolerance);
-        }
+        seams.glue_all(tolerance);
     }
     Some(seams.welded(tolerance.unwrap_or(0.0).max(small_distance(triangles, positions))))
+}
+
+/// Glues triangles that have their corners for themselves. `None` where an edge is left that lies upon another one, so that
+/// the triangles are no surfaces that touch.
+pub(super) fn weld_corners(corners: &[DVec3], tolerance: f64) -> Option<Welded> {
+    let triangles: Vec<[u32; 3]> = (0..corners.len() as u32 / 3).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
+    let mut seams = Seams::new(&triangles, corners)?;
+    seams.glue_all(tolerance);
+    (!seams.is_torn(tolerance)).then(|| seams.welded(tolerance))
 }
 
 /// Sides between the same two places, in either direction.
@@ -92,7 +78,50 @@ struct Seams<'a> {
     glued: Vec<[usize; 2]>,
 }
 
-impl Seams<'_> {
+impl<'a> Seams<'a> {
+    fn new(triangles: &[[u32; 3]], positions: &'a [DVec3]) -> Option<Seams<'a>> {
+        let orientable = orient(positions.len(), triangles).ok()?;
+        let oriented: Vec<[u32; 3]> = triangles
+            .iter()
+            .zip(&orientable.reversed)
+            .map(|(&[a, b, c], &reverse)| if reverse { [a, c, b] } else { [a, b, c] })
+            .collect();
+        let mut is_inner = vec![false; 3 * triangles.len()];
+        let mut components = Components::new(triangles.len());
+        for pair in &orientable.pairs {
+            components.join(pair.faces[0], pair.faces[1], false);
+            for f in pair.faces {
+                let on_edge = |k: &usize| [*k, (*k + 1) % 3].iter().all(|&k| pair.edge.contains(&oriented[f][k]));
+                (0..3).filter(on_edge).for_each(|k| is_inner[3 * f + k] = true);
+            }
+        }
+        Some(Seams { oriented, positions, is_inner, components, glued: Vec::new() })
+    }
+
+    fn glue_all(&mut self, tolerance: f64) {
+        self.glue(0.0);
+        if tolerance > 0.0 {
+            self.glue(tolerance);
+        }
+    }
+
+    /// Whether an open side has both ends in common with another side, open or not.
+    fn is_torn(&self, tolerance: f64) -> bool {
+        let open = self.open_sides();
+        if open.is_empty() {
+            return false;
+        }
+        let all: Vec<usize> = (0..self.is_inner.len()).collect();
+        let places = self.places(&all, tolerance);
+        let key = |&side: &usize| {
+            let [a, b] = self.ends(side).map(|v| places[&v]);
+            [a.min(b), a.max(b)]
+        };
+        let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
+        all.iter().for_each(|side| *counts.entry(key(side)).or_default() += 1);
+        open.iter().any(|side| counts[&key(side)] > 1)
+    }
+
     fn ends(&self, side: usize) -> [u32; 2] {
         let corners = self.oriented[side / 3];
         [corners[side % 3], corners[(side % 3 + 1) % 3]]
@@ -313,13 +342,7 @@ impl Seams<'_> {
         let coincident: Vec<[u32; 2]> =
             groups.flat_map(|group| group[1..].iter().map(|(_, other)| [group[0].1, *other])).collect();
         let apart = |[a, b]: &[u32; 2]| self.positions[*a as usize].distance(self.positions[*b as usize]);
-        Welded {
-            distance: coincident.first().map_or(0.0, apart),
-            open_seams: !self.groups(near).is_empty(),
-            coincident,
-            glued: self.glued.len(),
-            first,
-        }
+        Welded { distance: coincident.first().map_or(0.0, apart), coincident, glued: self.glued.len(), first }
     }
 }
 

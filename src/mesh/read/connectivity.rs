@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::{Soup, read, read_soup};
 use crate::mesh::repair::{Repaired, Unrepairable, repair_welded};
-use crate::mesh::weld::{Welded, small_distance, weld};
+use crate::mesh::weld::{Welded, small_distance, weld, weld_corners};
 use crate::mesh::{Mesh, MeshError, Numbering, Surface, VertexId};
 use crate::scene::Weld;
 
@@ -121,7 +121,7 @@ impl Soup {
                     let corners: Vec<DVec3> = self.triangles.iter().flatten().map(|&v| positions[v as usize]).collect();
                     let apart: Vec<[u32; 3]> =
                         (0..self.triangles.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
-                    if let Some(welded) = weld(&apart, &corners, Some(tolerance)).filter(|welded| !welded.open_seams) {
+                    if let Some(welded) = weld_corners(&corners, tolerance) {
                         let (repaired, places) = finished(&apart, &corners, &welded.first)?;
                         let (before, after) = (positions.len(), repaired.mesh.vertex_count());
                         notes.push(format!(
