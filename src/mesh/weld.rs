@@ -197,6 +197,9 @@ impl<'a> Seams<'a> {
     /// Glues open sides that coincide.
     fn glue(&mut self, tolerance: f64) {
         let groups = self.groups(tolerance);
+        if groups.is_empty() {
+            return;
+        }
         let before = self.glued.len();
         for group in &groups {
             let (same_way, a, b) = match (&*group.ups, &*group.downs) {
