@@ -257,6 +257,19 @@ fn what_would_be_no_surface_is_left() {
     assert!(says(&surface, "(the first are 1 and 4 of the file, counted from 1)"), "{:?}", surface.repairs);
 }
 
+#[test]
+fn a_rim_upon_a_closed_surface_is_told() {
+    let (points, faces) = both(cube(DVec3::ZERO), (vec![DVec3::ZERO, DVec3::X, -DVec3::Z], vec![[0, 1, 2]]));
+    let surface = read_bytes("a.obj", obj(&points, &faces, |_, _| 0), None);
+    assert_eq!(topology(&surface), (11, 3, 1, 2));
+    assert!(
+        says(&surface, "2 boundary vertices lie at the place of one that is not on the boundary"),
+        "{:?}",
+        surface.repairs
+    );
+    assert!(says(&surface, "(the first are 9 and 1 of the file"), "{:?}", surface.repairs);
+}
+
 /// A slit is a seam like any other, which is said, and kept on demand.
 #[test]
 fn a_slit_disk() {

@@ -6,6 +6,7 @@ mod faults;
 mod from_scene;
 mod ids;
 mod numbering;
+mod places;
 mod read;
 mod repair;
 mod selection;

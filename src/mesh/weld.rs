@@ -6,6 +6,7 @@
 //! a third face to an edge is not glued.
 
 use super::faults::orient;
+use super::places::{equal_places, places, root};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
@@ -29,6 +30,8 @@ pub(super) struct Welded {
     pub coincident: Vec<[u32; 2]>,
     /// How far apart the first of these are.
     pub distance: f64,
+    /// Boundary vertices that lie at the place of one inside, with that.
+    pub on_inside: Vec<[u32; 2]>,
 }
 
 /// A distance that is nothing on this mesh.
@@ -153,45 +156,12 @@ impl<'a> Seams<'a> {
         several.map(|group| Group { ups: those(group, false), downs: those(group, true) }).collect()
     }
 
-    /// Per end of the sides its place: the smallest vertex there. Places within the tolerance of each other are one, also
-    /// by way of others.
+    /// Per end of the sides its place.
     fn places(&self, sides: &[usize], tolerance: f64) -> HashMap<u32, u32> {
         let mut vertices: Vec<u32> = sides.iter().flat_map(|&side| self.ends(side)).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let mut parents: Vec<u32> = (0..vertices.len() as u32).collect();
-        let at = |k: u32| self.positions[vertices[k as usize] as usize];
-        if tolerance == 0.0 {
-            let mut seen = HashMap::new();
-            for k in 0..vertices.len() as u32 {
-                // Adding zero turns -0 into +0.
-                let key = at(k).to_array().map(|x| (x + 0.0).to_bits());
-                parents[k as usize] = *seen.entry(key).or_insert(k);
-            }
-        } else {
-            // In a cell of this size all are within the tolerance, and cells up to two away may be.
-            let size = tolerance / 3f64.sqrt();
-            let cell = |p: DVec3| (p / size).floor().to_array();
-            let bits = |cell: [f64; 3]| cell.map(|x| (x + 0.0).to_bits());
-            let mut cells: HashMap<[u64; 3], Vec<u32>> = HashMap::new();
-            (0..vertices.len() as u32).for_each(|k| cells.entry(bits(cell(at(k)))).or_default().push(k));
-            for k in 0..vertices.len() as u32 {
-                let here = cell(at(k));
-                for step in 0..125 {
-                    let [x, y, z] = [step % 5, step / 5 % 5, step / 25].map(|n| f64::from(n) - 2.0);
-                    let Some(others) = cells.get(&bits([here[0] + x, here[1] + y, here[2] + z])) else { continue };
-                    let whole = root(&mut parents, k);
-                    if root(&mut parents, others[0]) == whole {
-                        continue; // all of a cell hang together once the first of them has been here
-                    }
-                    for &other in others.iter().filter(|other| at(**other).distance(at(k)) <= tolerance) {
-                        let (a, b) = (root(&mut parents, k), root(&mut parents, other));
-                        parents[a.max(b) as usize] = a.min(b);
-                    }
-                }
-            }
-        }
-        (0..vertices.len() as u32).map(|k| (vertices[k as usize], vertices[root(&mut parents, k) as usize])).collect()
+        places(&vertices, self.positions, tolerance)
     }
 
     /// Glues open sides that coincide.
@@ -345,7 +315,27 @@ impl<'a> Seams<'a> {
         let coincident: Vec<[u32; 2]> =
             groups.flat_map(|group| group[1..].iter().map(|(_, other)| [group[0].1, *other])).collect();
         let apart = |[a, b]: &[u32; 2]| self.positions[*a as usize].distance(self.positions[*b as usize]);
-        Welded { distance: coincident.first().map_or(0.0, apart), coincident, glued: self.glued.len(), first }
+        Welded {
+            on_inside: self.on_inside(&open, &first),
+            distance: coincident.first().map_or(0.0, apart),
+            coincident,
+            glued: self.glued.len(),
+            first,
+        }
+    }
+
+    /// Vertices of open sides at the place of one that has none, with that.
+    fn on_inside(&self, open: &[usize], first: &[u32]) -> Vec<[u32; 2]> {
+        if open.is_empty() {
+            return Vec::new();
+        }
+        let mut on_boundary = vec![false; first.len()];
+        open.iter().flat_map(|&side| self.ends(side)).for_each(|v| on_boundary[first[v as usize] as usize] = true);
+        let mut corners: Vec<u32> = self.oriented.iter().flatten().map(|&v| first[v as usize]).collect();
+        corners.sort_unstable();
+        corners.dedup();
+        let (rim, inside): (Vec<u32>, Vec<u32>) = corners.into_iter().partition(|&v| on_boundary[v as usize]);
+        equal_places(&rim, &inside, self.positions)
     }
 }
 
@@ -388,12 +378,4 @@ impl Components {
         self.reversed[a.max(b)] = wanted;
         true
     }
-}
-
-fn root(parents: &mut [u32], mut k: u32) -> u32 {
-    while parents[k as usize] != k {
-        parents[k as usize] = parents[parents[k as usize] as usize];
-        k = parents[k as usize];
-    }
-    k
 }

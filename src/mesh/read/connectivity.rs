@@ -153,17 +153,27 @@ impl Soup {
                 welded.glued
             ));
         }
+        let from = format.counts_from();
+        let named = |a: u32, b: u32| match format {
+            Format::Stl => String::new(),
+            _ => format!(" (the first are {} and {} of the file, counted from {from})", a + from, b + from),
+        };
+        if let Some(&[a, b]) = welded.on_inside.first() {
+            let count = welded.on_inside.len();
+            let vertices = if count == 1 { "vertex lies" } else { "vertices lie" };
+            let named = named(a, b);
+            sentences.push(format!(
+                "{count} boundary {vertices} at the place of one that is not on the boundary{named}, where nothing is welded"
+            ));
+        }
         if let Some(&[a, b]) = welded.coincident.first() {
-            let (count, from) = (welded.coincident.len(), format.counts_from());
+            let count = welded.coincident.len();
             let vertices = if count == 1 { "vertex lies" } else { "vertices lie" };
             let place = match welded.distance {
                 0.0 => "at the place of another one".to_owned(),
                 distance => format!("within {distance:.1e} of another one"),
             };
-            let named = match format {
-                Format::Stl => String::new(),
-                _ => format!(" (the first are {} and {} of the file, counted from {from})", a + from, b + from),
-            };
+            let named = named(a, b);
             let why = match (tolerance, welded.distance) {
                 (None, 0.0) => "weld = \"exact\" under [mesh] glues edges where both ends do",
                 (None | Some(_), distance) if distance > tolerance.unwrap_or(0.0) => {
