@@ -48,7 +48,7 @@ const FILE: &str = "[mesh]\nfile = 'mesh.obj'\n";
 
 #[test]
 fn missing_mesh_file() {
-    refuse(&[], FILE, &["film.toml:1:1", "mesh.obj: cannot be read", "check the path"]);
+    refuse(&[], FILE, &["film.toml:2:8", "mesh.obj: cannot be read", "check the path"]);
 }
 
 #[test]

@@ -257,12 +257,12 @@ fn counts_that_the_file_cannot_hold_are_refused() {
 
 #[test]
 fn a_surface_that_is_none_names_the_lines() {
-    assert_refused("a.obj", "f 1 2 3\nf 3 4 4\n", &["face 1", "two of them equal", "a.obj, line 2 "]);
-    assert_refused("a.obj", "f 1 2 3\n\nf 3 2 1\n", &["faces [0, 1] have the same corners", "lines 1, 3"]);
+    assert_refused("a.obj", "f 1 2 3\nf 3 4 4\n", &["counted from 1, face 2", "two of them equal", "a.obj:2:"]);
+    assert_refused("a.obj", "f 1 2 3\n\nf 3 2 1\n", &["faces [1, 2] have the same corners", "lines 1, 3"]);
     // Three quads in a ring, closed with a half turn.
     let moebius = "f 1 2 5 4\nf 2 3 6 5\nf 3 4 1 6\n";
     assert_refused("a.obj", moebius, &["not orientable", "lines "]);
-    assert_refused("a.obj", "f 1 2 3\nf 1 4 5\n", &["vertex 0", "more than one fan"]);
+    assert_refused("a.obj", "f 1 2 3\nf 1 4 5\n", &["vertex 1 ", "more than one fan", "lines 1, 2"]);
 }
 
 fn triangle() -> Mesh {

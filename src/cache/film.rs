@@ -235,6 +235,19 @@ impl Cache {
         Ok(places.map(|places| places.as_chunks().0.iter().map(|&place| DVec3::from_array(place)).collect()))
     }
 
+    /// The number of each face in the mesh file, that of its polygon, |F|.
+    ///
+    /// # Errors
+    /// [`CacheError::Damaged`] if the mesh is not what was written.
+    pub fn file_faces(&self) -> Result<Vec<u32>, CacheError> {
+        let faces = self.manifest.mesh.faces;
+        self.read_mesh(|file| match file.has("file_face") {
+            true => file.array::<u32>("file_face", &[faces as u64]),
+            // Films of the time before there were such numbers.
+            false => Ok((0..faces as u32).collect()),
+        })
+    }
+
     fn read_mesh<T>(&self, arrays: impl FnOnce(&mut ArrayReader) -> Result<T, String>) -> Result<T, CacheError> {
         let path = self.folder.join("mesh.npz");
         let damaged = |reason: String| CacheError::Damaged { path: path.clone(), reason, remedy: RESTART };
@@ -356,6 +369,8 @@ impl Cache {
 fn mesh_npz(mesh: &Mesh, places: Option<&[DVec3]>) -> io::Result<Vec<u8>> {
     let mut file = ArrayWriter::new();
     file.array("triangles", &[mesh.face_count() as u64, 3], mesh.triangles().into_iter().flatten())?;
+    file.array("file_vertex", &[mesh.vertex_count() as u64], mesh.file_vertices())?;
+    file.array("file_face", &[mesh.face_count() as u64], mesh.file_faces())?;
     if let Some(places) = places {
         file.array("places", &[places.len() as u64, 3], places.iter().flat_map(|place| place.to_array()))?;
     }

@@ -3,7 +3,8 @@
 //! ```text
 //! renders/<scene name>/
 //!     manifest.json        format version, what was simulated, mesh counts, checks
-//!     mesh.npz             triangles (F x 3, u32); places (V x 3), x, y and z of scenes, if the mesh has any
+//!     mesh.npz             triangles (F x 3, u32); file_vertex (V, u32) and file_face (F, u32), the numbers of vertices and
+//!                          polygons in the mesh file, from 0; places (V x 3), x, y and z of scenes, if the mesh has any
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, and the checksum of the state
 //! ```

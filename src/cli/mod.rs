@@ -14,6 +14,7 @@ mod inspect;
 mod picture_options;
 mod pipeline;
 mod progress;
+mod selections;
 mod text_table;
 
 pub use checks::{Check, checks_of};

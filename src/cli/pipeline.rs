@@ -5,9 +5,12 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::Progress;
+use super::diagnostics::say;
+use super::selections::selection_notes;
 use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
 use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation};
+use crate::mesh::{longest_loops, outer_loops};
 use crate::movie::{self, Arrivals, MovieError, Plan};
 use crate::scene::{Scene, SceneError, SceneErrors};
 use crate::spin::SpinStructure;
@@ -69,6 +72,7 @@ pub struct Summary {
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let mut simulation = set_up(scene)?;
     simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
+    contradictions(scene, &simulation)?.iter().for_each(say);
     let [width, height] = Plan::of(scene)?.size();
     let mesh = &simulation.mesh;
     let mut notes = vec![format!(
@@ -90,13 +94,33 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
             u8::from(q)
         ));
     }
-    for (k, cycle) in mesh.boundary_loops().iter().enumerate() {
+    let (loops, places) = (mesh.boundary_loops(), simulation.mesh_places.as_deref());
+    let (outer, longest) = (outer_loops(mesh, places), longest_loops(mesh, places));
+    for (k, cycle) in loops.iter().enumerate() {
         let length: f64 = cycle.iter().map(|&h| simulation.metric.length(mesh.edge(h))).sum();
-        notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices", cycle.len()));
+        let names = if loops.len() == 1 { String::new() } else { names_of_loop(k, &outer, &longest) };
+        notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices{names}", cycle.len()));
     }
+    notes.extend(selection_notes(scene, mesh, places));
     notes.extend(simulation.repairs.iter().cloned());
     notes.push(format!("pictures of {width} x {height} pixels"));
     Ok(notes)
+}
+
+/// What a boundary loop is called beside its number.
+fn names_of_loop(k: usize, outer: &[usize], longest: &[usize]) -> String {
+    match (outer.contains(&k), longest.contains(&k)) {
+        (true, true) => " (outer, longest)".to_owned(),
+        (true, false) => " (outer)".to_owned(),
+        (false, true) => " (longest)".to_owned(),
+        (false, false) => String::new(),
+    }
+}
+
+/// Warnings about pins that no surface with these lengths can keep.
+fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
+    let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
+    Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
 }
 
 /// The simulation of a scene; what is at fault is shown where the scene names it.
@@ -172,6 +196,8 @@ fn simulate_for(
     let mut simulation = set_up(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
     simulation.repairs.iter().for_each(|repair| progress.note(repair));
+    // A time without a metric is told when its frame is made.
+    contradictions(scene, &simulation).iter().flatten().for_each(|warning| progress.note(warning));
     let film = Film::of(scene);
     let places = simulation.mesh_places.as_deref();
     let cache = if restart {

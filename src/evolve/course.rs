@@ -12,9 +12,9 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct Course {
     mesh: Arc<Mesh>,
-    program: MetricProgram,
+    pub program: MetricProgram,
     bending: Option<TargetBending>,
-    pins: Pins,
+    pub pins: Pins,
     /// What was asked for last, which several components ask for one after another.
     last: Asked,
 }

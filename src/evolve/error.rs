@@ -52,6 +52,7 @@ impl SetupError {
     /// The key of the scene file that is at fault.
     pub fn key(&self) -> &str {
         match self {
+            SetupError::Mesh(error) if error.is_of_file() => "mesh.file",
             SetupError::Mesh(_) => "mesh",
             SetupError::Poisson(_) => "metric",
             SetupError::MoreFramesThanClasses { .. } => "clock.frames",

@@ -106,7 +106,8 @@ impl Relaxation {
         let stars = spin.figure_8_vertices(&component.mesh, metric);
         let class = spin.class(&component.mesh, metric, homology);
         if let Some(vertex) = stars.first() {
-            return Err(EvolveError::StarChanged { time: self.time, vertex: component.vertices.whole(*vertex) });
+            let vertex = component.mesh.file_vertex(VertexId::new(*vertex));
+            return Err(EvolveError::StarChanged { time: self.time, vertex });
         }
         if class != self.class {
             let [before, after] = [&self.class, &class].map(|class| class_digits(class));

@@ -1,6 +1,7 @@
 //! The simulation: from frame to frame, phases, THE step, stopping, and the report per frame.
 
 mod acceleration;
+mod contradictions;
 mod course;
 mod discretization;
 mod error;

@@ -18,7 +18,7 @@ use std::sync::Arc;
 pub struct Simulation {
     /// Connectivity.
     pub mesh: Arc<Mesh>,
-    /// What had to be repaired in the mesh, in words.
+    /// What had to be repaired in the mesh, and what else is worth saying of the scene, in words.
     pub repairs: Vec<String>,
     /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
     pub mesh_places: Option<Vec<DVec3>>,
@@ -87,7 +87,7 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the scene is at fault.
     pub fn from_scene(scene: &Scene) -> Result<Simulation, SetupError> {
-        Simulation::new(scene, mesh::from_scene(&scene.mesh, &scene.folder)?)
+        Simulation::new(scene, mesh::of_scene(scene)?)
     }
 
     /// As [`Simulation::from_scene`], with a surface from memory in place of the scene's `[mesh]`.
@@ -110,7 +110,8 @@ impl Simulation {
         };
         let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
         let mesh_places = surface.places().map(<[DVec3]>::to_vec);
-        let Surface { mesh, positions: mesh_positions, repairs, .. } = surface;
+        let Surface { mesh, positions: mesh_positions, mut repairs, .. } = surface;
+        repairs.extend(program.notes());
         let mesh = Arc::new(mesh);
         let MetricAt { metric, curvature_error } = now;
         let metric = Arc::new(metric);

@@ -1,7 +1,7 @@
 //! The positions that frames start from: the mesh, its mirror image or a file, deformed as the scene says.
 
 use super::{noise_along_normals, noise_displacement};
-use crate::mesh::{MeshError, Surface, read_positions};
+use crate::mesh::{MeshError, Surface, VertexId, read_positions};
 use crate::scene::{AtKey, NoiseSection, StartFrom, StartSection};
 use crate::timeline::{Parameters, PointFormula, TimelineError};
 use glam::DVec3;
@@ -54,6 +54,7 @@ pub fn initial_positions(
         for (vertex, place) in shape.iter_mut().enumerate() {
             *place = formula.point(*place);
             if !place.is_finite() {
+                let vertex = mesh.file_vertex(VertexId::new(vertex));
                 let error = StartError::NotFinite { vertex, place: place.to_array() };
                 return Err(AtKey { key: "start.formula".into(), error });
             }

@@ -29,8 +29,10 @@ pub enum PinError {
 #[derive(Clone, Debug)]
 pub struct Pins {
     groups: Vec<Group>,
-    /// The pinned vertices, each once, in order.
+    /// The pinned vertices, each once, in order,
     vertices: Vec<VertexId>,
+    /// and their numbers in the mesh file.
+    numbers: Vec<usize>,
 }
 
 /// One `[[pin]]`.
@@ -62,7 +64,8 @@ impl Pins {
         let mut vertices: Vec<VertexId> = groups.iter().flat_map(|group| &group.rest).map(|(v, _)| *v).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let pins = Pins { groups, vertices };
+        let numbers = vertices.iter().map(|&v| surface.mesh.file_vertex(v)).collect();
+        let pins = Pins { groups, vertices, numbers };
         pins.at(start)?;
         Ok(pins)
     }
@@ -70,6 +73,10 @@ impl Pins {
     /// The pinned vertices, each once, in order.
     pub fn vertices(&self) -> &[VertexId] {
         &self.vertices
+    }
+
+    fn number(&self, v: VertexId) -> usize {
+        self.vertices.binary_search(&v).map_or(v.index(), |k| self.numbers[k])
     }
 
     /// Whether any moves with time.
@@ -91,14 +98,14 @@ impl Pins {
         places.sort_by_key(|(v, _, k)| (*v, *k));
         let at = |k: usize, error| Err(AtKey { key: format!("pin[{k}]"), error });
         if let Some((v, place, k)) = places.iter().find(|(_, place, _)| !place.is_finite()) {
-            return at(*k, PinError::NotFinite { vertex: v.index(), place: place.to_array(), time });
+            return at(*k, PinError::NotFinite { vertex: self.number(*v), place: place.to_array(), time });
         }
         let apart = |a: DVec3, b: DVec3| a.distance(b) > SAME_PLACE * (1.0 + a.length());
         if let Some([(v, a, _), (_, b, k)]) =
             places.array_windows().find(|[(v, a, _), (w, b, _)]| v == w && apart(*a, *b))
         {
             let (first, second) = (a.to_array(), b.to_array());
-            return at(*k, PinError::Contradiction { vertex: v.index(), first, second, time });
+            return at(*k, PinError::Contradiction { vertex: self.number(*v), first, second, time });
         }
         places.dedup_by_key(|(v, ..)| *v);
         Ok(places.into_iter().map(|(v, place, _)| (v, place)).collect())

@@ -1,5 +1,6 @@
 //! Connected components as meshes of their own.
 
+use super::numbering::Numbering;
 use super::{FaceId, Mesh, VertexId};
 use std::sync::Arc;
 
@@ -77,7 +78,11 @@ impl Component {
         let here = |v: VertexId| vertices.here(v.index()).map_or(u32::MAX, |v| v as u32);
         let triangles: Vec<[u32; 3]> = faces.iter().map(|&f| mesh.corners(f).map(here)).collect();
         let count = vertices.numbers.as_ref().map_or(0, Vec::len);
-        let alone = Mesh::from_faces(count, &triangles).ok()?;
+        let names = Numbering::of_part(
+            vertices.numbers.iter().flatten().map(|&v| mesh.file_vertex(VertexId(v)) as u32).collect(),
+            faces.iter().map(|&f| mesh.file_face(f) as u32).collect(),
+        );
+        let alone = Mesh::from_faces(count, &triangles).ok()?.numbered(names);
         let faces = Subset { numbers: Some(faces.iter().map(|f| f.0).collect()) };
         Some(Component { mesh: Arc::new(alone), vertices, edges, faces })
     }

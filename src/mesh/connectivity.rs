@@ -2,7 +2,9 @@
 //!
 //! There are no positions here: everything downstream of this type is intrinsic.
 
+use super::numbering::Numbering;
 use super::{EdgeId, FaceId, HalfedgeId, MeshError, VertexId};
+use std::sync::Arc;
 
 const NONE: u32 = u32::MAX;
 
@@ -22,6 +24,8 @@ pub struct Mesh {
     /// Per vertex: an outgoing halfedge; for a boundary vertex the one from which a counterclockwise
     /// walk visits the whole star, that is, the outgoing boundary halfedge.
     vertex_halfedges: Vec<HalfedgeId>,
+    /// What the file calls vertices and faces; `None` where it counts as the mesh does.
+    pub(super) numbering: Option<Arc<Numbering>>,
 }
 
 impl Mesh {
@@ -114,6 +118,7 @@ impl Mesh {
             halfedge_edges,
             edge_halfedges,
             vertex_halfedges: first.into_iter().map(HalfedgeId).collect(),
+            numbering: None,
         };
         for v in mesh.vertices() {
             if mesh.outgoing(v).count() as u32 != degree[v.index()] {

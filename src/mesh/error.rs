@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 /// Why a list of faces or a file is not an oriented manifold triangle mesh.
 ///
-/// Face, vertex and line numbers: faces and vertices count from 0 in the order of the input,
-/// lines from 1.
+/// Faces and vertices count from 0 in the order of the input; [`MeshError::InFile`] says from what number the file
+/// counts, and means its faces, which may be polygons. Lines count from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the fields are what the messages say they are
 pub enum MeshError {
@@ -35,8 +35,10 @@ pub enum MeshError {
     UnreferencedVertex { vertex: usize },
     #[error("{faces} faces and {vertices} vertices are too many, {limit} faces are the limit; use a coarser mesh")]
     TooLarge { faces: usize, vertices: usize, limit: usize },
-    #[error("{}{lines} (faces and vertices counted from 0): {error}", path.display())]
-    InFile { path: PathBuf, lines: String, error: Box<MeshError> },
+    #[error("{}", list(*count, faults, unlisted))]
+    Several { count: usize, faults: Vec<Fault>, unlisted: Vec<String> },
+    #[error("{}{}: counted from {counted_from}, {error}", path.display(), place(lines))]
+    InFile { path: PathBuf, lines: Vec<usize>, counted_from: u32, error: Box<MeshError> },
     #[error("{}: {reason}; {remedy}", path.display())]
     File { path: PathBuf, reason: String, remedy: String },
     #[error("{}:{line}: {reason}; {remedy}", path.display())]
@@ -45,17 +47,75 @@ pub enum MeshError {
     Shape { shape: String, reason: String, remedy: String },
 }
 
+/// One of several faults.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// What is wrong.
+    pub error: MeshError,
+    /// The faces to look at.
+    pub faces: Vec<usize>,
+    /// Their lines in the file, counted from 1; none where there is no text.
+    pub lines: Vec<usize>,
+}
+
 impl MeshError {
-    /// The faces this is about, if it names any.
-    pub fn faces(&self) -> Vec<usize> {
+    /// Whether a file is at fault.
+    pub fn is_of_file(&self) -> bool {
+        matches!(self, MeshError::File { .. } | MeshError::FileLine { .. } | MeshError::InFile { .. })
+    }
+
+    /// The same fault by other numbers of faces and vertices.
+    pub(super) fn renumbered(self, face: impl Fn(usize) -> usize, counted_from: u32) -> MeshError {
+        let vertex = |v: u32| v.saturating_add(counted_from);
         match self {
-            MeshError::VertexOutOfRange { face, .. } | MeshError::DegenerateFace { face, .. } => vec![*face],
-            MeshError::DuplicateFace { faces }
-            | MeshError::InconsistentOrientation { faces, .. }
-            | MeshError::NonOrientable { faces, .. } => faces.to_vec(),
-            MeshError::NonManifoldEdge { faces, .. } => faces.clone(),
-            MeshError::InFile { error, .. } => error.faces(),
-            _ => Vec::new(),
+            MeshError::VertexOutOfRange { face: f, vertex, vertex_count } => {
+                MeshError::VertexOutOfRange { face: face(f), vertex: vertex + u64::from(counted_from), vertex_count }
+            }
+            MeshError::DegenerateFace { face: f, corners } => {
+                MeshError::DegenerateFace { face: face(f), corners: corners.map(vertex) }
+            }
+            MeshError::DuplicateFace { faces } => MeshError::DuplicateFace { faces: faces.map(face) },
+            MeshError::NonManifoldEdge { edge, faces } => {
+                MeshError::NonManifoldEdge { edge: edge.map(vertex), faces: faces.into_iter().map(face).collect() }
+            }
+            MeshError::NonManifoldVertex { vertex } => {
+                MeshError::NonManifoldVertex { vertex: vertex + counted_from as usize }
+            }
+            MeshError::InconsistentOrientation { edge, faces } => {
+                MeshError::InconsistentOrientation { edge: edge.map(vertex), faces: faces.map(face) }
+            }
+            MeshError::NonOrientable { edge, faces } => {
+                MeshError::NonOrientable { edge: edge.map(vertex), faces: faces.map(face) }
+            }
+            other => other,
         }
     }
+}
+
+/// Where a fault is, behind the name of the file.
+fn place(lines: &[usize]) -> String {
+    match lines {
+        [] => String::new(),
+        [line] => format!(":{line}"),
+        lines => format!(", lines {}", numbers(lines)),
+    }
+}
+
+fn numbers(lines: &[usize]) -> String {
+    lines.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
+}
+
+/// A line for each fault.
+fn list(count: usize, faults: &[Fault], unlisted: &[String]) -> String {
+    let mut text = format!("there are {count} faults:");
+    for Fault { error, lines, .. } in faults {
+        let place = match lines.as_slice() {
+            [] => String::new(),
+            [line] => format!("line {line}: "),
+            lines => format!("lines {}: ", numbers(lines)),
+        };
+        text += &format!("\n- {place}{error}");
+    }
+    unlisted.iter().for_each(|more| text += &format!("\n- and {more}"));
+    text + "; correct all of these in the program that made the mesh, or in the file"
 }

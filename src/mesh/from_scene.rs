@@ -3,10 +3,21 @@
 use std::path::Path;
 
 use super::shapes;
-use super::{MeshError, Surface, read};
-use crate::scene::{MeshSection, Shape};
+use super::{MeshError, Surface, read, read_welded};
+use crate::scene::{MeshSection, Scene, Shape};
 
-/// Reads or generates the surface of a scene. Relative paths start in `folder`, that of the scene file.
+/// The surface of a scene, its seams welded as it says.
+///
+/// # Errors
+/// As [`from_scene`].
+pub fn of_scene(scene: &Scene) -> Result<Surface, MeshError> {
+    match &scene.mesh {
+        MeshSection::File(path) => read_welded(&scene.folder.join(path), scene.weld),
+        section => from_scene(section, &scene.folder),
+    }
+}
+
+/// Reads or generates a surface, its seams welded as is usual for the format of the file. Relative paths start in `folder`, that of the scene file.
 ///
 /// # Errors
 /// What [`read`] and the functions of [`shapes`] refuse.

@@ -3,21 +3,26 @@
 mod component;
 mod connectivity;
 mod error;
+mod faults;
 mod from_scene;
 mod ids;
+mod numbering;
+mod places;
 mod read;
 mod repair;
 mod selection;
 pub mod shapes;
+mod weld;
 
 pub use component::{Component, Subset};
 pub use connectivity::Mesh;
-pub use error::MeshError;
-pub use from_scene::from_scene;
+pub use error::{Fault, MeshError};
+pub use from_scene::{from_scene, of_scene};
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
-pub use read::{read, read_edge_lengths, read_positions, read_vertex_numbers};
+pub use numbering::{Numbering, UnknownVertex};
+pub use read::{read, read_edge_lengths, read_positions, read_vertex_numbers, read_welded};
 pub use repair::{Repaired, repair};
-pub use selection::{SelectionError, select_edges, select_vertices};
+pub use selection::{SelectionError, longest_loops, outer_loops, select_edges, select_vertices};
 
 /// What a reader or a generator hands on: connectivity and what is known of the geometry.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Sets of vertices and edges that a scene selects.
 
-use super::{EdgeId, Mesh, VertexId};
+use super::{EdgeId, HalfedgeId, Mesh, UnknownVertex, VertexId};
 use crate::scene::{EdgeSelection, SelectionSection};
 use glam::DVec3;
 
@@ -12,8 +12,12 @@ pub enum SelectionError {
     Nothing,
     #[error("there is no vertex {vertex}, the mesh has {vertices} vertices; use indices below {vertices}")]
     NoSuchVertex { vertex: usize, vertices: usize },
+    #[error("vertex {vertex} belongs to no face of the file; name another one")]
+    DroppedVertex { vertex: usize },
     #[error("there is no boundary loop {loop_index}, the mesh has {loops}; count them from 0")]
     NoSuchLoop { loop_index: usize, loops: usize },
+    #[error("the mesh has no boundary; name vertices by index, box, ball or nearest point")]
+    NoBoundary,
     #[error("there is no edge between vertices {ends:?}; name two neighbours")]
     NoSuchEdge { ends: [usize; 2] },
     #[error("the edge {ends:?} is on the boundary, where nothing bends; leave it out")]
@@ -40,9 +44,11 @@ pub fn select_vertices(
     let selected = match section {
         SelectionSection::Vertices(vertices) => vertices
             .iter()
-            .map(|&vertex| match mesh.vertex_count() {
-                vertices if vertex >= vertices => Err(SelectionError::NoSuchVertex { vertex, vertices }),
-                _ => Ok(VertexId::new(vertex)),
+            .map(|&vertex| {
+                mesh.vertex_of_file(vertex).map_err(|unknown| match unknown {
+                    UnknownVertex::Beyond(vertices) => SelectionError::NoSuchVertex { vertex, vertices },
+                    UnknownVertex::Dropped => SelectionError::DroppedVertex { vertex },
+                })
             })
             .collect::<Result<_, _>>()?,
         SelectionSection::Boundary(indices) => {
@@ -52,6 +58,20 @@ pub fn select_vertices(
                 let cycle =
                     loops.get(loop_index).ok_or(SelectionError::NoSuchLoop { loop_index, loops: loops.len() })?;
                 vertices.extend(cycle.iter().map(|&h| mesh.tail(h)));
+            }
+            vertices.sort_unstable();
+            vertices
+        }
+        SelectionSection::OuterBoundary | SelectionSection::LongestBoundary => {
+            let chosen = match section {
+                SelectionSection::OuterBoundary => outer_loops(mesh, positions),
+                _ => longest_loops(mesh, positions),
+            };
+            let loops = mesh.boundary_loops();
+            let mut vertices: Vec<VertexId> =
+                chosen.into_iter().flat_map(|k| &loops[k]).map(|&h| mesh.tail(h)).collect();
+            if vertices.is_empty() {
+                return Err(SelectionError::NoBoundary);
             }
             vertices.sort_unstable();
             vertices
@@ -77,6 +97,67 @@ pub fn select_vertices(
     if selected.is_empty() { Err(SelectionError::Nothing) } else { Ok(selected) }
 }
 
+/// Of each component that has a boundary its longest loop, as indices into [`Mesh::boundary_loops`]: by the lengths of
+/// edges between `places`, or where there are none by their number. Of equally long ones the first.
+pub fn longest_loops(mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<usize> {
+    chosen_loops(mesh, places, |_| true)
+}
+
+/// Of each component that has a boundary the loop around all its others, as indices into [`Mesh::boundary_loops`]: the
+/// one whose box contains theirs. Where there is none, or there are no `places`, the longest.
+pub fn outer_loops(mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<usize> {
+    let Some(places) = places else { return longest_loops(mesh, None) };
+    let boxes: Vec<[DVec3; 2]> = mesh
+        .boundary_loops()
+        .iter()
+        .map(|cycle| {
+            let points = || cycle.iter().map(|&h| places[mesh.tail(h).index()]);
+            [points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max)]
+        })
+        .collect();
+    let contains = |a: usize, b: usize| {
+        let ([low, high], slack) = (boxes[a], 1e-9 * boxes[a][0].distance(boxes[a][1]));
+        boxes[b][0].cmpge(low - slack).all() && boxes[b][1].cmple(high + slack).all()
+    };
+    let others = loops_of_components(mesh);
+    let of = |k: usize| others.iter().find(|of| of.contains(&k)).into_iter().flatten();
+    chosen_loops(mesh, Some(places), |k| of(k).all(|&other| contains(k, other)))
+}
+
+/// Boundary loops of each component that has any.
+fn loops_of_components(mesh: &Mesh) -> Vec<Vec<usize>> {
+    let mut component = vec![0; mesh.face_count()];
+    let components = mesh.components();
+    for (k, faces) in components.iter().enumerate() {
+        faces.iter().for_each(|f| component[f.index()] = k);
+    }
+    let mut of = vec![Vec::new(); components.len()];
+    for (k, cycle) in mesh.boundary_loops().iter().enumerate() {
+        of[component[cycle[0].face().index()]].push(k);
+    }
+    of.retain(|loops| !loops.is_empty());
+    of
+}
+
+/// The longest loop of each component among those preferred or, if none is, among all.
+fn chosen_loops(mesh: &Mesh, places: Option<&[DVec3]>, preferred: impl Fn(usize) -> bool) -> Vec<usize> {
+    let loops = mesh.boundary_loops();
+    let length = |k: usize| -> f64 {
+        let side = |&h: &HalfedgeId| places.map_or(1.0, |p| p[mesh.tail(h).index()].distance(p[mesh.tip(h).index()]));
+        loops[k].iter().map(side).sum()
+    };
+    let longest = |of: &[usize]| {
+        // Up to rounding, so that the first of two equal ones is meant.
+        let most = of.iter().map(|&k| length(k)).fold(0.0, f64::max);
+        of.iter().copied().find(|&k| length(k) >= most * (1.0 - 1e-9))
+    };
+    let choose = |of: Vec<usize>| {
+        let first: Vec<usize> = of.iter().copied().filter(|&k| preferred(k)).collect();
+        longest(if first.is_empty() { &of } else { &first })
+    };
+    loops_of_components(mesh).into_iter().filter_map(choose).collect()
+}
+
 /// The selected interior edges.
 ///
 /// # Errors
@@ -86,15 +167,21 @@ pub fn select_edges(
     mesh: &Mesh,
     positions: Option<&[DVec3]>,
 ) -> Result<Vec<EdgeId>, SelectionError> {
-    let sorted = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-    let ends = |e: EdgeId| sorted(mesh.edge_vertices(e).map(|v| v.index()));
+    let sorted = |[a, b]: [VertexId; 2]| [a.min(b), a.max(b)];
+    let ends = |e: EdgeId| sorted(mesh.edge_vertices(e));
     let selected: Vec<EdgeId> = match section {
         EdgeSelection::Edges(named) => {
-            let mut edges: Vec<([usize; 2], EdgeId)> = mesh.edges().map(|e| (ends(e), e)).collect();
+            let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (ends(e), e)).collect();
             edges.sort_unstable();
             let find = |&ends: &[usize; 2]| {
+                let vertex = |vertex: usize| {
+                    mesh.vertex_of_file(vertex).map_err(|unknown| match unknown {
+                        UnknownVertex::Beyond(_) => SelectionError::NoSuchEdge { ends },
+                        UnknownVertex::Dropped => SelectionError::DroppedVertex { vertex },
+                    })
+                };
                 let at = edges
-                    .binary_search_by_key(&sorted(ends), |(ends, _)| *ends)
+                    .binary_search_by_key(&sorted([vertex(ends[0])?, vertex(ends[1])?]), |(ends, _)| *ends)
                     .map_err(|_| SelectionError::NoSuchEdge { ends })?;
                 let edge = edges[at].1;
                 if mesh.is_boundary_edge(edge) { Err(SelectionError::BoundaryEdge { ends }) } else { Ok(edge) }

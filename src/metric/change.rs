@@ -1,10 +1,11 @@
 //! What a scene does to edge lengths: conformal factors and Ricci flow.
 
 use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow};
-use crate::mesh::{Mesh, Surface, read_vertex_numbers, select_vertices};
+use crate::mesh::{Mesh, Surface, VertexId, read_vertex_numbers, select_vertices};
 use crate::scene::{AtKey, ChangeKind, MetricChangeSection, RicciSection};
 use crate::timeline::{Formula, Number, Parameters};
 use glam::DVec3;
+use std::collections::HashSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -61,8 +62,11 @@ impl Change {
             ChangeKind::Ricci(section) => {
                 let mut regions = Vec::new();
                 for (k, region) in section.regions.iter().enumerate() {
-                    let vertices = select_vertices(&region.vertices, &surface.mesh, places)
+                    let mut vertices = select_vertices(&region.vertices, &surface.mesh, places)
                         .map_err(AtKey::of(at(&format!("region[{k}]"))))?;
+                    // A welded vertex may be named by each of its numbers.
+                    let mut named = HashSet::new();
+                    vertices.retain(|v| named.insert(*v));
                     regions.push(Region { vertices, curvature: region.total.to_radians() });
                 }
                 if let Some(path) = &section.csv {
@@ -81,6 +85,18 @@ impl Change {
         self.amount.changes() || matches!(&self.kind, Kind::Conformal { log_scale, .. } if log_scale.changes())
     }
 
+    /// What is worth saying of what was found.
+    pub fn note(&self) -> Option<String> {
+        let Kind::Ricci { flow: Some(flow), .. } = &self.kind else { return None };
+        flow.flow.limit().by_initial_areas.then(|| {
+            format!(
+                "{}: no metric was found in which the curvature beside the given ones is in proportion to area (a sphere with \
+                 a single cone has none), so that it is in proportion to the areas before the change",
+                self.key
+            )
+        })
+    }
+
     /// The lengths after the change, and for a flow how far curvatures are from their targets.
     pub fn apply(&mut self, mesh: &Mesh, lengths: Vec<f64>, time: f64) -> Result<(Vec<f64>, Option<f64>), MetricError> {
         let amount = self.amount.at(time);
@@ -89,7 +105,8 @@ impl Change {
                 let formula = log_scale.at(time);
                 let u: Vec<f64> = places.iter().map(|p| amount * formula.value(&p.to_array())).collect();
                 if let Some(vertex) = u.iter().position(|u| !u.is_finite()) {
-                    return Err(MetricError::LogScale { vertex, value: u[vertex] });
+                    let number = mesh.file_vertex(VertexId::new(vertex));
+                    return Err(MetricError::LogScale { vertex: number, value: u[vertex] });
                 }
                 let scale = |e: crate::mesh::EdgeId| {
                     let [a, b] = mesh.edge_vertices(e).map(|v| u[v.index()]);
@@ -101,7 +118,10 @@ impl Change {
                 let mut started = match flow.take() {
                     Some(flow) if flow.start == lengths => flow,
                     _ => Box::new(Flow {
-                        flow: RicciFlow::new(mesh, &lengths, &target.of(mesh, &lengths)?)?,
+                        flow: target
+                            .of(mesh, &lengths)
+                            .and_then(|goal| RicciFlow::new(mesh, &lengths, &goal))
+                            .map_err(|error| target.by_vertex(error, mesh))?,
                         start: lengths,
                     }),
                 };
@@ -110,7 +130,7 @@ impl Change {
                     a if a <= 0.0 => start.clone(),
                     a if a >= 1.0 => ricci.limit().edge_lengths.clone(),
                     a if a.is_nan() => return Err(MetricError::FlowTime { time: a }),
-                    a => ricci.advance_to(-libm::log1p(-a))?,
+                    a => ricci.advance_to(-libm::log1p(-a)).map_err(|error| error.of_flow(mesh))?,
                 };
                 let error = ricci.curvature_error(mesh, &lengths)?;
                 *flow = Some(started);
@@ -121,6 +141,17 @@ impl Change {
 }
 
 impl Target {
+    /// Regions of single vertices, from a file, have no number of their own.
+    fn by_vertex(&self, error: MetricError, mesh: &Mesh) -> MetricError {
+        match error {
+            MetricError::TargetRegion { region, reason } if region >= self.section.regions.len() => {
+                let vertex = self.regions[region].vertices.first().map_or(0, |&v| mesh.file_vertex(v));
+                MetricError::TargetCone { vertex, reason }
+            }
+            other => other,
+        }
+    }
+
     /// The target for the metric that the flow starts from.
     fn of(&self, mesh: &Mesh, lengths: &[f64]) -> Result<CurvatureTarget, MetricError> {
         let metric = Metric::new(mesh, lengths.to_vec())?;

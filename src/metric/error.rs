@@ -1,6 +1,8 @@
 //! What can be wrong with edge lengths.
 
-/// Why a list of lengths is not a metric on a mesh. Faces and edges count from 0.
+use crate::mesh::{FaceId, Mesh};
+
+/// Why a list of lengths is not a metric on a mesh. Faces and vertices are those of the mesh file, counted from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the fields are what the messages say they are
 pub enum MetricError {
@@ -29,32 +31,41 @@ pub enum MetricError {
     #[error("the mesh has {vertices} vertices, but {values} target curvatures were given; give one per vertex")]
     TargetCount { vertices: usize, values: usize },
     #[error(
-        "the target curvature of vertex {vertex} is {value} radians; it must be finite and below {limit:.6}, \
-         which a vertex without any angle would have"
+        "the target curvature of vertex {vertex} is {} degrees; it must be finite and below {limit:.4} radians, which are \
+         {} degrees and which a vertex without any angle would have",
+        degrees(*value), degrees(*limit)
     )]
     TargetCurvature { vertex: usize, value: f64, limit: f64 },
+    #[error(
+        "the target curvature of vertex {vertex} is {} degrees, but its {faces} angles are less than 180 degrees each, so that \
+         it stays above {} degrees; ask for more than that, or give the vertex more faces",
+        degrees(*value), degrees(*limit)
+    )]
+    TooFewFaces { vertex: usize, faces: usize, value: f64, limit: f64 },
     #[error(
         "region {region} of the target curvature: {reason}; give every region interior vertices of its own, and less \
          than 360 degrees for each"
     )]
     TargetRegion { region: usize, reason: String },
+    #[error(
+        "the target curvature of vertex {vertex}: {reason}; name interior vertices that are in no region, and less than 360 \
+         degrees for each"
+    )]
+    TargetCone { vertex: usize, reason: String },
     #[error("the target curvature per area is {density}; it must be finite")]
     TargetDensity { density: f64 },
-    #[error(
-        "the target curvatures break Gauss-Bonnet: they add up to {sum} radians instead of 2 pi chi = {expected}, \
-         which is {excess:e} too much; spread the difference over the vertices"
-    )]
-    GaussBonnet { sum: f64, expected: f64, excess: f64 },
+    #[error("the target curvatures break Gauss-Bonnet: {}", gauss_bonnet(*sum, *expected, *excess, *density, surface))]
+    GaussBonnet { sum: f64, expected: f64, excess: f64, density: Option<(f64, f64)>, surface: String },
     #[error("the mesh has {components} components; scale each of them as a mesh of its own")]
     Disconnected { components: usize },
     #[error(
-        "no conformal metric with these curvatures was found: after {iterations} Newton steps a curvature is still off \
-         by {residual:e} radians, and face {face} with vertices {vertices:?} is about to degenerate; refine the mesh \
-         there or choose a target nearer to the metric"
+        "no conformal metric with these curvatures was found: after {iterations} Newton steps the curvature of vertex \
+         {vertex} is still off by {} degrees; refine the mesh there or choose a target nearer to the metric",
+        degrees(*residual)
     )]
-    NotConverged { iterations: usize, residual: f64, face: usize, vertices: [u32; 3] },
+    NotConverged { iterations: usize, residual: f64, vertex: usize },
     #[error(
-        "the conformal metric was found with edge flips, but could not be brought back to this mesh: the edge {edge} \
+        "the conformal metric was found with edge flips, but could not be brought back to this mesh: the edge \
          between vertices {vertices:?} would have to bend around another vertex; refine the mesh there, or make its \
          triangles Delaunay"
     )]
@@ -72,4 +83,59 @@ pub enum MetricError {
     Linear(crate::algebra::CholeskyError),
     #[error(transparent)]
     Mesh(#[from] crate::mesh::MeshError),
+}
+
+impl MetricError {
+    /// As it is, but for faces of the mesh, which become those of its file.
+    pub(super) fn of_flow(self, mesh: &Mesh) -> MetricError {
+        match self {
+            MetricError::FlowBlocked { time, face, .. } => {
+                let f = FaceId::new(face);
+                MetricError::FlowBlocked { time, face: mesh.file_face(f), vertices: mesh.file_corners(f) }
+            }
+            other => other,
+        }
+    }
+}
+
+/// An angle in radians, in degrees with at most four decimals.
+pub(super) fn degrees(radians: f64) -> String {
+    let degrees = radians.to_degrees();
+    if degrees.is_finite() && degrees.abs() >= 5e-5 {
+        let text = format!("{degrees:.4}");
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else if degrees.abs() < 1e-9 {
+        "0".to_owned()
+    } else {
+        format!("{degrees:.1e}")
+    }
+}
+
+/// What is asked for, what there is, and what to do.
+fn gauss_bonnet(sum: f64, expected: f64, excess: f64, density: Option<(f64, f64)>, surface: &str) -> String {
+    if let Some((density, total)) = density {
+        let (must, write) = match degrees(total).as_str() {
+            "0" => ("0", "write curvature = 0"),
+            text if text.starts_with('-') => ("negative", "write a negative `curvature`"),
+            _ => ("positive", "write a positive `curvature`"),
+        };
+        let boundary = if (total - expected).abs() > 1e-9 {
+            format!(", of which its boundary takes {} and leaves {}", degrees(expected - total), degrees(total))
+        } else {
+            String::new()
+        };
+        return format!(
+            "{surface} has a total curvature of {} degrees{boundary}, so that constant curvature must be {must}, and \
+             {density} is asked for; {write}, leave it out, or spread the difference over regions",
+            degrees(expected)
+        );
+    }
+    let apart = if excess < 0.0 { "few" } else { "many" };
+    format!(
+        "they add up to {} degrees instead of 2 pi chi = {expected:.5}, the {} degrees of {surface}, which is {} degrees \
+         too {apart}; spread the difference over the vertices",
+        degrees(sum),
+        degrees(expected),
+        degrees(excess.abs())
+    )
 }

@@ -34,7 +34,7 @@ impl Metric {
         if let Some(edge) = edge_lengths.iter().position(|l| !(l.is_finite() && *l > 0.0)) {
             return Err(MetricError::NotPositive {
                 edge,
-                vertices: mesh.edge_vertices(EdgeId::new(edge)).map(|v| v.0),
+                vertices: mesh.file_ends(EdgeId::new(edge)),
                 length: edge_lengths[edge],
             });
         }
@@ -160,8 +160,8 @@ fn check_triangles(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {
         None => Ok(()),
         Some(&(_, f)) => Err(MetricError::TriangleInequality {
             count: bad.len(),
-            face: f.index(),
-            vertices: mesh.corners(f).map(|v| v.0),
+            face: mesh.file_face(f),
+            vertices: mesh.file_corners(f),
             lengths: f.halfedges().map(|h| lengths[mesh.edge(h).index()]),
         }),
     }

@@ -64,6 +64,11 @@ impl MetricProgram {
             || self.changes.iter().any(Change::changes)
     }
 
+    /// What is worth saying of the metrics found so far.
+    pub fn notes(&self) -> Vec<String> {
+        self.changes.iter().filter_map(Change::note).collect()
+    }
+
     /// The metric at a time. Cheapest for increasing times; the same bits in any order.
     ///
     /// # Errors

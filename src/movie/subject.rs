@@ -1,5 +1,6 @@
 //! What is to be seen of a film: the surface and the curves on it, frame by frame.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -58,10 +59,13 @@ impl Subject {
             reason: error.to_string(),
             remedy: "run `immerse simulate --restart`",
         })?);
-        if let Some(face) = look.hide_faces.iter().find(|&&face| face >= triangles.len()) {
-            let message = format!("there is no face {face}; write indices below {}", triangles.len());
+        let file_faces = if look.hide_faces.is_empty() { Vec::new() } else { cache.file_faces()? };
+        let polygons = file_faces.iter().max().map_or(0, |last| *last as usize + 1);
+        if let Some(face) = look.hide_faces.iter().find(|&&face| face >= polygons) {
+            let message = format!("there is no face {face}; write indices below {polygons}");
             return Err(MovieError::of_scene(scene, "look.hide_faces", &message));
         }
+        let hidden_faces = hidden_faces(&look.hide_faces, &file_faces);
         let pins = if scene.pins.is_empty() { Vec::new() } else { pins_of(scene, &surface_of(scene, &triangles)?)? };
         let middles = if plan.hide.is_some() {
             let places = cache.places()?.ok_or_else(|| {
@@ -75,7 +79,7 @@ impl Subject {
         };
         let components = if look.explode > 0.0 { components(&mesh) } else { Vec::new() };
         let boundary = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| ends(&mesh, e)).collect();
-        let (explode, hidden_faces) = (look.explode, look.hide_faces.clone());
+        let explode = look.explode;
         let scene_hash = cache.manifest().fingerprint;
         let measures = Measures::of(plan, cache, &mesh)?;
         Ok(Subject {
@@ -178,14 +182,20 @@ impl Subject {
     }
 }
 
+/// The triangles that were cut from these faces of the mesh file.
+fn hidden_faces(faces: &[usize], file_faces: &[u32]) -> Vec<usize> {
+    let faces: HashSet<usize> = faces.iter().copied().collect();
+    (0..file_faces.len()).filter(|&f| faces.contains(&(file_faces[f] as usize))).collect()
+}
+
 fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
     mesh.edge_vertices(e).map(|v| v.0)
 }
 
 /// The surface that the scene names, if it is still that of the film.
 fn surface_of(scene: &Scene, triangles: &[[u32; 3]]) -> Result<Surface, MovieError> {
-    let at_fault = |message: &str| MovieError::of_scene(scene, "mesh", message);
-    let surface = mesh::from_scene(&scene.mesh, &scene.folder).map_err(|error| at_fault(&error.to_string()))?;
+    let at_fault = |message: &str| MovieError::of_scene(scene, "mesh.file", message);
+    let surface = mesh::of_scene(scene).map_err(|error| at_fault(&error.to_string()))?;
     if surface.mesh.triangles() != triangles {
         return Err(at_fault("the mesh is not that of the film; simulate it anew"));
     }

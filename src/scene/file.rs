@@ -9,7 +9,7 @@ use toml::de::DeTable;
 use super::sections::root;
 use super::source::Source;
 use super::table::{Problems, Table};
-use super::{BendingFrom, ChangeKind, LengthSource, MeshSection, Scene, SceneError, SceneErrors, StartFrom};
+use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;
@@ -84,6 +84,7 @@ impl Scene {
         let more = (&self.bending, &self.pins, &self.clock);
         let mut hasher = crc32fast::Hasher::new();
         hasher.update(format!("{sections:?}{more:?}").as_bytes());
+        self.weld.iter().for_each(|weld| hasher.update(format!("{weld:?}").as_bytes()));
         for path in self.files() {
             hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
         }
@@ -92,7 +93,6 @@ impl Scene {
 
     /// The files that the scene names.
     fn files(&self) -> impl Iterator<Item = &PathBuf> {
-        let mesh = if let MeshSection::File(path) = &self.mesh { Some(path) } else { None };
         let keys = self.metric.keys.iter().map(|key| &key.lengths);
         let lengths = std::iter::once(&self.metric.lengths).chain(keys).filter_map(|source| match source {
             LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
@@ -107,7 +107,7 @@ impl Scene {
             Some(BendingFrom::File(path)) => Some(path),
             _ => None,
         });
-        mesh.into_iter().chain(lengths).chain(cones).chain(start).chain(bending)
+        self.mesh.file().into_iter().chain(lengths).chain(cones).chain(start).chain(bending)
     }
 }
 

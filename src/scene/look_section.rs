@@ -35,7 +35,9 @@ pub(super) fn look(table: &mut Table) -> LookSection {
         hide: table
             .key::<String>("hide", "Faces are left out where this formula of the mesh's x, y and z is positive.")
             .optional("z".into()),
-        hide_faces: table.key("hide_faces", "Faces that are left out, by index.").or(Vec::new()),
+        hide_faces: table
+            .key("hide_faces", "Faces that are left out, by their numbers in the mesh file, counted from 0.")
+            .or(Vec::new()),
         cut: table.optional_table("cut", "A plane in front of which the surface is cut away.", cut),
         explode: table
             .key("explode", "How far components are moved apart, in units of their distance from the middle.")

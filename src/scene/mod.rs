@@ -16,6 +16,7 @@ mod file;
 mod look_section;
 mod metric_section;
 mod motion_sections;
+mod names;
 mod number;
 mod picture_sections;
 mod schema;

@@ -1,6 +1,7 @@
 //! `[spin]`, `[start]`, `[bending]`, `[[pin]]` and `[clock]`.
 
 use super::data::*;
+use super::names::Boundary;
 use super::number::{one_per_time, times};
 use super::table::Table;
 
@@ -94,10 +95,15 @@ pub(super) fn selection(table: &mut Table) -> SelectionSection {
 }
 
 fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
-    let vertices = table.key("vertices", "Vertices by index, counted from 0.").optional(vec![0, 1]);
+    let vertices =
+        table.key("vertices", "Vertices by their numbers in the mesh file, counted from 0.").optional(vec![0, 1]);
     let boundary = table
-        .key("boundary", "All vertices of these boundary loops, counted from 0 as `immerse check` lists them.")
-        .optional(vec![0]);
+        .key::<Boundary>(
+            "boundary",
+            "All vertices of these boundary loops, counted from 0 as `immerse check` lists them; or \"outer\", the one \
+             around the others, or \"longest\", of each component.",
+        )
+        .optional(Boundary::Loops(vec![0]));
     let corners = table
         .key("box", "Vertices in the box with these opposite corners.")
         .optional([[-1.0, -1.0, 0.0], [1.0, 1.0, 1.0]]);
@@ -107,7 +113,7 @@ fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
     table.only_one_of(&names);
     let section = match (vertices, boundary, corners, ball, nearest) {
         (Some(vertices), ..) => SelectionSection::Vertices(vertices),
-        (_, Some(loops), ..) => SelectionSection::Boundary(loops),
+        (_, Some(loops), ..) => loops.into(),
         (_, _, Some(corners), ..) => SelectionSection::Box(corners),
         (_, _, _, Some(ball), _) => SelectionSection::Ball(ball),
         (.., Some(points)) => SelectionSection::Nearest(points),
@@ -116,7 +122,7 @@ fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
     let empty = match &section {
         SelectionSection::Vertices(list) | SelectionSection::Boundary(list) => list.is_empty(),
         SelectionSection::Nearest(points) => points.is_empty(),
-        SelectionSection::Ball(_) | SelectionSection::Box(_) => false,
+        _ => false,
     };
     if empty && let Some(name) = names.into_iter().find(|name| table.has(name)) {
         table.complain(
@@ -155,7 +161,9 @@ pub(super) fn bending(table: &mut Table) -> BendingSection {
 }
 
 fn bending_region(table: &mut Table) -> BendingRegionSection {
-    let edges = table.key::<Vec<[usize; 2]>>("edges", "Edges by their ends.").optional(vec![[0, 1]]);
+    let edges = table
+        .key::<Vec<[usize; 2]>>("edges", "Edges by the numbers of their ends in the mesh file.")
+        .optional(vec![[0, 1]]);
     let vertices = optional_selection(table);
     table.only_one_of(&["edges", "vertices", "boundary", "box", "ball", "nearest"]);
     let edges = edges.map(EdgeSelection::Edges).or(vertices.map(EdgeSelection::Between));

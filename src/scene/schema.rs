@@ -89,6 +89,7 @@ fn value(kind: &Kind) -> Map<String, Json> {
         Kind::ChangingNumber(bounds, fields) => {
             json!({ "anyOf": [number("number", bounds), { "type": "string" }, object(fields)] })
         }
+        Kind::Either(one, other) => json!({ "anyOf": [value(one), value(other)] }),
         Kind::Map(item) => json!({ "type": "object", "additionalProperties": value(item) }),
         Kind::Flag => json!({ "type": "boolean" }),
         Kind::Text => json!({ "type": "string" }),

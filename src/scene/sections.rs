@@ -10,8 +10,10 @@ use super::table::Table;
 
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
+    let (mesh, weld) = table.table("mesh", "The surface: a file or a generated shape.", mesh);
     Scene {
-        mesh: table.table("mesh", "The surface: a file or a generated shape.", mesh),
+        mesh,
+        weld,
         parameters: table.map("parameters", "Numbers by name, for formulas; each may use those before it and `t`."),
         metric: table.table(
             "metric",

@@ -14,7 +14,7 @@ const MAX_PARTS: f64 = 1000.0;
 const MAX_CELLS: f64 = 10_000.0;
 const MAX_FACES: f64 = 10_000_000.0;
 
-pub(super) fn mesh(table: &mut Table) -> MeshSection {
+pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
     let file = table
         .key::<String>("file", "A mesh file (OBJ, PLY, OFF or STL, by its ending), relative to the scene.")
         .optional("bunny.obj".into());
@@ -34,7 +34,12 @@ pub(super) fn mesh(table: &mut Table) -> MeshSection {
             ("implicit", "Isosurface of a tree of solids.", implicit),
         ],
     );
+    // Generated shapes have no seams.
+    let weld = if table.has("weld") || !table.has("shape") { weld(table) } else { None };
     table.only_one_of(&["file", "shape"]);
+    if weld.is_some() && shape.is_some() {
+        table.complain("weld", "`weld` joins vertices of a `file`, and this is a generated shape", "remove it");
+    }
     if table.has_none_of(&["file", "shape"]) {
         table.complain(
             "shape",
@@ -42,7 +47,7 @@ pub(super) fn mesh(table: &mut Table) -> MeshSection {
             "add for example file = \"bunny.obj\" or shape = \"sphere\"",
         );
     }
-    match (file, shape) {
+    let section = match (file, shape) {
         (Some(file), _) => {
             let ending = Path::new(&file).extension().map(|ending| ending.to_string_lossy().to_lowercase());
             let ending = ending.unwrap_or_default();
@@ -54,7 +59,14 @@ pub(super) fn mesh(table: &mut Table) -> MeshSection {
         }
         (None, Some(shape)) => MeshSection::Shape(shape),
         (None, None) => MeshSection::default(),
-    }
+    };
+    (section, weld)
+}
+
+fn weld(table: &mut Table) -> Option<Weld> {
+    let doc = "Whether boundary edges of a file that lie upon each other become one: \"exact\", a largest distance, or \
+               \"none\". Left out, \"exact\", and for STL files also within the rounding of single precision.";
+    table.key("weld", doc).at_least(0.0).optional(Weld::Exact)
 }
 
 /// A number of subdivisions, columns, rows.

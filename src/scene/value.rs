@@ -59,6 +59,8 @@ pub(super) enum Kind {
     Map(Box<Kind>),
     Table(Vec<Field>),
     Tables(Vec<Field>),
+    /// Either of these.
+    Either(Box<Kind>, Box<Kind>),
     /// Tables of the kind of the key named here, for trees.
     TablesLike(&'static str),
     /// A name that decides which further keys there are.
@@ -101,6 +103,7 @@ impl Kind {
             Kind::ChangingNumber(bounds, _) => {
                 format!("a number{}, a formula in quotes or {{ times = […], values = […] }}", bounds.sentence())
             }
+            Kind::Either(one, other) => format!("{} or {}", one.sentence(), other.sentence()),
             Kind::Map(_) | Kind::Table(_) => "a table".into(),
             Kind::Tables(_) | Kind::TablesLike(_) => "a list of tables".into(),
             Kind::Variants(_) => "a name".into(),

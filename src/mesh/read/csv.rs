@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use super::{Problem, index, lines, number, read_bytes};
-use crate::mesh::{EdgeId, Mesh, MeshError, VertexId};
+use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 
 /// Reads one length per edge, in edge order, from lines `u,v,length`.
 ///
-/// `u` and `v` are vertices of the mesh, counted from 0, in any order. Every edge is given once; giving
-/// it again with the same length is allowed. The first line may be a header, `#` starts a comment.
+/// `u` and `v` are vertices by their numbers in the mesh file, counted from 0, in any order; of a welded vertex any of its
+/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, `#` starts a comment.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no edge, contradicts an earlier one or
@@ -20,8 +20,7 @@ pub fn read_edge_lengths(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError
 fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
     let text =
         std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `u,v,length`"))?;
-    let mut edges: Vec<([u32; 2], EdgeId)> =
-        mesh.edges().map(|e| (sorted(mesh.edge_vertices(e).map(|v| v.0)), e)).collect();
+    let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (sorted(mesh.edge_vertices(e)), e)).collect();
     edges.sort_unstable();
     let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
     for (n, (line, content)) in lines(text).enumerate() {
@@ -39,13 +38,18 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
         if length <= 0.0 {
             return Err(Problem::at(line, format!("the length {length} is not positive"), "give a length above 0"));
         }
-        let Ok(found) = edges.binary_search_by_key(&sorted([u, v]), |edge| edge.0) else {
-            return Err(Problem::at(
+        let no_edge = || {
+            Problem::at(
                 line,
                 format!("the mesh has no edge from vertex {u} to vertex {v}"),
                 "vertices count from 0; remove the line or correct it",
-            ));
+            )
         };
+        if [u, v].iter().any(|&end| end as usize >= mesh.file_vertex_count()) {
+            return Err(no_edge());
+        }
+        let ends = sorted([vertex(u, line, mesh)?, vertex(v, line, mesh)?]);
+        let found = edges.binary_search_by_key(&ends, |edge| edge.0).map_err(|_| no_edge())?;
         match &mut given[edges[found].1.index()] {
             Some((earlier, first)) if *earlier != length => {
                 return Err(Problem::at(
@@ -59,9 +63,9 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
     }
     let missing = given.iter().filter(|g| g.is_none()).count();
     if let Some(first) = given.iter().position(Option::is_none) {
-        let [u, v] = mesh.edge_vertices(EdgeId::new(first));
+        let [u, v] = mesh.file_ends(EdgeId::new(first));
         return Err(Problem::new(
-            format!("{missing} of {} edges have no length, the first is {},{}", given.len(), u.0, v.0),
+            format!("{missing} of {} edges have no length, the first is {u},{v}", given.len()),
             "give every edge of the mesh a line `u,v,length`",
         ));
     }
@@ -70,7 +74,8 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
 
 /// Reads numbers of some vertices, in order of vertices, from lines `v,number`.
 ///
-/// `v` counts from 0; no vertex is given twice. The first line may be a header, `#` starts a comment.
+/// `v` is the number of the vertex in the mesh file, counted from 0; no vertex is given twice, but a welded one by several of
+/// its numbers if they agree. The first line may be a header, `#` starts a comment.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no vertex or one that was named before;
@@ -82,36 +87,51 @@ pub fn read_vertex_numbers(path: &Path, mesh: &Mesh) -> Result<Vec<(VertexId, f6
 fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)>, Problem> {
     let text =
         std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `v,number`"))?;
-    let mut given: Vec<Option<(f64, usize)>> = vec![None; mesh.vertex_count()];
+    let mut given: Vec<Option<(f64, usize, u32)>> = vec![None; mesh.vertex_count()];
     for (n, (line, content)) in lines(text).enumerate() {
         let mut words = content.split(',').map(str::trim);
         if n == 0 && content.starts_with(|c: char| c.is_alphabetic() || c == '"') {
             continue;
         }
-        let vertex = index(words.next(), line, "the vertex")?;
+        let number_in_file = index(words.next(), line, "the vertex")?;
         let value = number(words.next(), line, "the number")?;
         if words.next().is_some() {
             return Err(Problem::at(line, "there are more than two columns", "write `v,number`"));
         }
-        match given.get_mut(vertex as usize) {
-            None => {
-                let reason = format!("there is no vertex {vertex}, the mesh has {}", mesh.vertex_count());
-                return Err(Problem::at(line, reason, "count vertices from 0"));
-            }
-            Some(Some((_, first))) => {
-                let reason = format!("vertex {vertex} was given on line {first}");
+        let v = vertex(number_in_file, line, mesh)?;
+        match &mut given[v.index()] {
+            Some((earlier, first, other)) if *other == number_in_file || *earlier != value => {
+                let reason = match *other == number_in_file {
+                    true => format!("vertex {number_in_file} was given on line {first}"),
+                    false => {
+                        format!("vertex {number_in_file} is welded to {other}, which has {earlier} on line {first}")
+                    }
+                };
                 return Err(Problem::at(line, reason, "give every vertex once"));
             }
-            Some(slot) => *slot = Some((value, line)),
+            slot => *slot = slot.or(Some((value, line, number_in_file))),
         }
     }
-    let numbers: Vec<_> = mesh.vertices().filter_map(|v| given[v.index()].map(|(value, _)| (v, value))).collect();
+    let numbers: Vec<_> = mesh.vertices().filter_map(|v| given[v.index()].map(|(value, ..)| (v, value))).collect();
     if numbers.is_empty() {
         return Err(Problem::new("it has no lines", "write lines `v,number`"));
     }
     Ok(numbers)
 }
 
-fn sorted([u, v]: [u32; 2]) -> [u32; 2] {
+fn sorted([u, v]: [VertexId; 2]) -> [VertexId; 2] {
     [u.min(v), u.max(v)]
+}
+
+/// The vertex that has a number in the file.
+fn vertex(number: u32, line: usize, mesh: &Mesh) -> Result<VertexId, Problem> {
+    mesh.vertex_of_file(number as usize).map_err(|unknown| match unknown {
+        UnknownVertex::Dropped => {
+            let reason = format!("vertex {number} belongs to no face of the file");
+            Problem::at(line, reason, "remove the line, or name another vertex; they count from 0")
+        }
+        UnknownVertex::Beyond(count) => {
+            Problem::at(line, format!("there is no vertex {number}, the mesh has {count}"), "count vertices from 0")
+        }
+    })
 }

@@ -1,6 +1,7 @@
 //! Reads triangle meshes from files. What is not a triangle is cut into triangles, what can be
 //! repaired is, and everything else is an error with its place in the file.
 
+mod connectivity;
 mod csv;
 mod obj;
 mod off;
@@ -11,20 +12,51 @@ use std::path::Path;
 
 use glam::DVec3;
 
-use super::{Mesh, MeshError, Surface, repair};
+use super::repair::Unrepairable;
+use super::{MeshError, Surface};
+use crate::scene::Weld;
 
+use connectivity::Format;
+pub use connectivity::read_positions;
 pub use csv::{read_edge_lengths, read_vertex_numbers};
 
 /// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
 ///
-/// Polygons are cut into fans. The result is oriented and compacted by [`repair`]; what that changed is in
-/// [`Surface::repairs`]. A file whose vertices all lie in one point, or an OBJ that lists faces but no
+/// Polygons are cut into fans. Seams are welded: exactly, and in STL files within the rounding of single precision. The
+/// result is oriented and compacted by [`super::repair`]; what all that changed is in [`Surface::repairs`], and
+/// [`super::Mesh::file_vertex`] says what the file calls each vertex. A file whose vertices all lie in one point, or an OBJ that lists faces but no
 /// vertices, is purely intrinsic: it has no positions.
 ///
 /// # Errors
 /// [`MeshError::File`] and [`MeshError::FileLine`] for files that cannot be read or parsed,
 /// [`MeshError::InFile`] for faces that do not form an oriented surface.
 pub fn read(path: &Path) -> Result<Surface, MeshError> {
+    read_welded(path, None)
+}
+
+/// As [`read`], with seams welded as the scene says instead of as is usual for the format.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_welded(path: &Path, weld: Option<Weld>) -> Result<Surface, MeshError> {
+    let (soup, format) = read_soup(path)?;
+    soup.surface(format, weld).map_err(|unrepairable| match unrepairable {
+        Unrepairable::Size(error) => soup.in_file(path, format, error, &[]),
+        Unrepairable::Faults(mut faults) => {
+            for fault in &mut faults.listed {
+                fault.lines = soup.lines_of(&fault.faces);
+                fault.error = fault
+                    .error
+                    .clone()
+                    .renumbered(|f| soup.polygon(f) + format.counts_from() as usize, format.counts_from());
+            }
+            let lines = if let [only] = &*faults.listed { only.lines.clone() } else { Vec::new() };
+            soup.in_file(path, format, faults.into_error(), &lines)
+        }
+    })
+}
+
+fn read_soup(path: &Path) -> Result<(Soup, Format), MeshError> {
     let ending = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase());
     let parse = match ending.as_deref() {
         Some("obj") => obj::parse,
@@ -41,41 +73,7 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
     };
     let bytes = read_bytes(path)?;
     let soup = parse(&bytes).map_err(|problem| problem.in_file(path))?;
-    let repaired = repair(soup.vertex_count, &soup.triangles).map_err(|error| {
-        let lines: Vec<String> =
-            error.faces().iter().filter_map(|&f| soup.lines.get(f)).map(|line| line.to_string()).collect();
-        let lines = match lines.len() {
-            0 => String::new(),
-            1 => format!(", line {}", lines[0]),
-            _ => format!(", lines {}", lines.join(", ")),
-        };
-        MeshError::InFile { path: path.into(), lines, error: Box::new(error) }
-    })?;
-    let positions = soup
-        .positions
-        .filter(|all| all.iter().any(|p| *p != all[0]))
-        .map(|all| repaired.input_vertices.iter().map(|&v| all[v]).collect());
-    Ok(Surface { mesh: repaired.mesh, positions, coordinates: None, edge_lengths: None, repairs: repaired.repairs })
-}
-
-/// Reads the vertex positions of a file whose faces are those of the mesh, in the same order; |V| values.
-///
-/// # Errors
-/// As [`read`], and [`MeshError::File`] if the faces are others or there are no positions.
-pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError> {
-    let surface = read(path)?;
-    let fail = |reason: String, remedy: &str| MeshError::File { path: path.into(), reason, remedy: remedy.into() };
-    let [here, there] = [mesh, &surface.mesh].map(Mesh::triangles);
-    if here != there {
-        let reason = match here.iter().zip(&there).position(|(a, b)| a != b) {
-            Some(face) if here.len() == there.len() => {
-                format!("face {face} has vertices {:?}, in the mesh of the scene {:?}", there[face], here[face])
-            }
-            _ => format!("it has {} faces, the mesh of the scene has {}", there.len(), here.len()),
-        };
-        return Err(fail(reason, "use a mesh with the same faces in the same order, only its positions may differ"));
-    }
-    surface.positions.ok_or_else(|| fail("it has no positions".into(), "use a file that has them"))
+    Ok((soup, Format::of(ending.as_deref())))
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
@@ -88,21 +86,25 @@ fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
 
 /// What a file says, before any of it is checked against the rest.
 #[derive(Default)]
-struct Soup {
+pub(super) struct Soup {
     vertex_count: usize,
     /// One per vertex, all finite; `None` where the format leaves them out.
     positions: Option<Vec<DVec3>>,
     triangles: Vec<[u32; 3]>,
     /// Per triangle its line in the file; empty for binary files.
     lines: Vec<usize>,
+    /// Per triangle the polygon of the file that it is of; empty where there are only triangles.
+    polygons: Vec<u32>,
 }
 
 impl Soup {
     /// Cuts a polygon into a fan around its first corner.
     fn add_polygon(&mut self, corners: &[u32], line: Option<usize>) {
+        let polygon = self.polygons.last().map_or(0, |last| last + 1);
         for k in 1..corners.len().saturating_sub(1) {
             self.triangles.push([corners[0], corners[k], corners[k + 1]]);
             self.lines.extend(line);
+            self.polygons.push(polygon);
         }
     }
 }

@@ -44,13 +44,6 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
         }
         soup.vertex_count = count;
     } else {
-        if largest.0 > positions.len() {
-            return Err(Problem::at(
-                largest.1,
-                format!("vertex {} is named, but there are only {}", largest.0, positions.len()),
-                "indices count from 1 to the number of `v` lines",
-            ));
-        }
         soup.vertex_count = positions.len();
         soup.positions = Some(positions);
     }

@@ -7,8 +7,10 @@ use std::f64::consts::PI;
 
 /// How far an edge must be from Delaunay, as a sum of two cosines, to be flipped.
 const DELAUNAY_SLACK: f64 = 1e-10;
-/// Flips per edge after which a Delaunay triangulation is not expected any more.
+/// Flips per edge after which a Delaunay triangulation is not expected any more,
 const FLIPS_PER_EDGE: usize = 100;
+/// and after which scale factors are too far from those before.
+const FLIPS_PER_STEP: usize = 20;
 
 /// The two faces at an edge: `[a, b, c]` and `[b, a, d]` around edge `ab`.
 struct Diamond {
@@ -29,7 +31,7 @@ impl Triangulation {
     /// Springborn and Crane 2021). Triangle inequalities may fail before; afterwards they hold, except
     /// at the boundary, whose edges do not flip.
     pub fn flip_to_delaunay(&mut self, u: &[f64], log: &mut Vec<u32>) -> Result<(), MetricError> {
-        let limit = log.len() + FLIPS_PER_EDGE * self.sides.len();
+        let limit = log.len() + FLIPS_PER_STEP * self.sides.len();
         self.flip_while_not_delaunay(u, log, limit, |triangulation, e, diamond| {
             let [bc, ca, ad, db] = diamond.rim.map(|(edge, _)| triangulation.lengths[edge as usize]);
             (ad * bc + ca * db) / triangulation.lengths[e as usize]

@@ -75,11 +75,14 @@ impl RicciFlow {
     pub fn new(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<RicciFlow, MetricError> {
         let limit = uniformize(mesh, edge_lengths, target)?;
         let metric = Metric::new(mesh, edge_lengths.to_vec())?;
-        let asked = Goal::new(target, mesh, &metric)?;
+        let mut asked = Goal::new(target, mesh, &metric)?;
+        let triangulation = Triangulation::new(mesh, edge_lengths);
+        if limit.by_initial_areas {
+            asked.spread_by_areas_of(&triangulation, &triangulation.shape(&vec![0.0; mesh.vertex_count()])?);
+        }
         let mut goal = asked.clone();
         let end = Triangulation::new(mesh, &limit.edge_lengths);
         goal.settle_positive(&end, &end.shape(&vec![0.0; mesh.vertex_count()])?);
-        let triangulation = Triangulation::new(mesh, edge_lengths);
         let state = state(&triangulation, &goal, 0.0, vec![0.0; mesh.vertex_count()])?;
         let initial_area = metric.total_area();
         Ok(RicciFlow { triangulation, goal, asked, limit, initial_area, state, last: None, step: FIRST_STEP })

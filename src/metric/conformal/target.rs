@@ -2,6 +2,7 @@
 
 use super::triangulation::{Shape, Triangulation};
 use crate::mesh::{Mesh, VertexId};
+use crate::metric::error::degrees;
 use crate::metric::{Metric, MetricError};
 use std::f64::consts::{PI, TAU};
 
@@ -131,6 +132,8 @@ impl Goal {
             free: vec![true; vertices],
             scale: if target.keep_area { Scale::Area(metric.total_area()) } else { Scale::MeanZero },
         };
+        let mut faces = vec![0; vertices];
+        mesh.faces().flat_map(|f| mesh.corners(f)).for_each(|v| faces[v.index()] += 1);
         let check = |values: &[f64], boundary: bool| -> Result<(), MetricError> {
             if values.len() != vertices {
                 return Err(MetricError::TargetCount { vertices, values: values.len() });
@@ -138,8 +141,18 @@ impl Goal {
             let limit = if boundary { PI } else { TAU };
             let bad =
                 (0..vertices).find(|&v| on_boundary[v] == boundary && !(values[v].is_finite() && values[v] < limit));
-            match bad {
-                Some(vertex) => Err(MetricError::TargetCurvature { vertex, value: values[vertex], limit }),
+            if let Some(v) = bad {
+                let vertex = mesh.file_vertex(VertexId::new(v));
+                return Err(MetricError::TargetCurvature { vertex, value: values[v], limit });
+            }
+            let low = (0..vertices).find(|&v| on_boundary[v] == boundary && values[v] <= limit - PI * faces[v] as f64);
+            match low {
+                Some(v) => Err(MetricError::TooFewFaces {
+                    vertex: mesh.file_vertex(VertexId::new(v)),
+                    faces: faces[v],
+                    value: values[v],
+                    limit: limit - PI * faces[v] as f64,
+                }),
                 None => Ok(()),
             }
         };
@@ -165,26 +178,32 @@ impl Goal {
         } else {
             whole - goal.turning.iter().sum::<f64>()
         };
-        let gauss_bonnet = |sum: f64| {
+        let gauss_bonnet = |sum: f64, density: Option<f64>| {
             let excess = sum - total;
             if !held && (excess.is_nan() || excess.abs() > GAUSS_BONNET_TOLERANCE) {
-                return Err(MetricError::GaussBonnet { sum: sum + whole - total, expected: whole, excess });
+                return Err(MetricError::GaussBonnet {
+                    sum: sum + whole - total,
+                    expected: whole,
+                    excess,
+                    density: density.map(|density| (density, total)),
+                    surface: kind(mesh),
+                });
             }
             Ok(())
         };
         goal.interior = match &target.interior {
             InteriorCurvature::PerVertex(values) => {
                 check(values, false)?;
-                gauss_bonnet((0..vertices).filter(inside).map(|v| values[v]).sum())?;
+                gauss_bonnet((0..vertices).filter(inside).map(|v| values[v]).sum(), None)?;
                 Interior::PerVertex(values.clone())
             }
             InteriorCurvature::Constant => Interior::evenly(vertices, total),
             InteriorCurvature::PerRegion(regions) => {
-                let groups = groups(regions, &on_boundary)?;
+                let groups = groups(regions, &on_boundary, &faces, mesh)?;
                 let mut totals: Vec<f64> = regions.iter().map(|region| region.curvature).collect();
                 let sum = totals.iter().sum::<f64>();
                 if (0..vertices).filter(inside).all(|v| groups[v] < regions.len()) {
-                    gauss_bonnet(sum)?;
+                    gauss_bonnet(sum, None)?;
                 }
                 totals.push(total - sum);
                 Interior::Totals { groups, totals }
@@ -196,7 +215,7 @@ impl Goal {
             InteriorCurvature::Density(density) => {
                 // Any area does for a flat metric; otherwise the total, of the right sign, decides it.
                 if density * total <= 0.0 || total.abs() <= GAUSS_BONNET_TOLERANCE {
-                    gauss_bonnet(density * metric.total_area())?;
+                    gauss_bonnet(density * metric.total_area(), Some(*density))?;
                 } else {
                     goal.scale = Scale::Area(total / density);
                 }
@@ -204,7 +223,7 @@ impl Goal {
             }
         };
         if (0..vertices).filter(inside).count() == 0 && !held {
-            gauss_bonnet(0.0)?;
+            gauss_bonnet(0.0, None)?;
         }
         Ok(goal)
     }
@@ -227,6 +246,16 @@ impl Goal {
         if self.densities(end, shape).iter().any(|&density| density > 0.0) {
             self.interior = Interior::PerVertex(shape.curvature.clone());
         }
+    }
+
+    /// Spreads what is left beside regions by the areas of the metric that the change starts from. `false` if there are no
+    /// regions, and nothing is done.
+    pub fn spread_by_areas_of(&mut self, start: &Triangulation, shape: &Shape) -> bool {
+        let several = matches!(&self.interior, Interior::Totals { totals, .. } if totals.len() > 1);
+        if several {
+            self.interior = Interior::PerVertex(self.curvature(start, shape));
+        }
+        several
     }
 
     /// Derivative of [`Goal::curvature`] of the free vertices in the direction `x`, 0 for the others.
@@ -282,6 +311,18 @@ impl Goal {
     }
 }
 
+/// A surface in words.
+fn kind(mesh: &Mesh) -> String {
+    match (mesh.genus(), mesh.boundary_loops().len()) {
+        (0, 0) => "a sphere".to_owned(),
+        (1, 0) => "a torus".to_owned(),
+        (genus, 0) => format!("a closed surface of genus {genus}"),
+        (0, 1) => "a disk".to_owned(),
+        (0, 2) => "an annulus".to_owned(),
+        (genus, loops) => format!("a surface of genus {genus} with {loops} boundary loops"),
+    }
+}
+
 impl Interior {
     fn evenly(vertices: usize, total: f64) -> Interior {
         Interior::Totals { groups: vec![0; vertices], totals: vec![total] }
@@ -289,31 +330,48 @@ impl Interior {
 }
 
 /// Per vertex the region it is in, or the number of regions if it is in none.
-fn groups(regions: &[Region], on_boundary: &[bool]) -> Result<Vec<usize>, MetricError> {
+fn groups(regions: &[Region], on_boundary: &[bool], faces: &[usize], mesh: &Mesh) -> Result<Vec<usize>, MetricError> {
     let mut groups = vec![regions.len(); on_boundary.len()];
+    let file = |v: usize| mesh.file_vertex(VertexId::new(v));
     for (number, region) in regions.iter().enumerate() {
         let refuse = |reason: String| Err(MetricError::TargetRegion { region: number, reason });
         if !region.curvature.is_finite() {
             return refuse(format!("its curvature is {}", region.curvature));
         }
-        let mut count = 0;
+        // How many vertices, one of them, and what their curvatures stay above.
+        let (mut count, mut one, mut low) = (0, 0, 0.0);
         for v in region.vertices.iter().map(|v| v.index()) {
             match groups.get(v) {
                 None => return refuse(format!("vertex {v} is none of the {} of the mesh", groups.len())),
                 Some(_) if on_boundary[v] => continue,
-                Some(&other) if other == number => return refuse(format!("it names vertex {v} twice")),
+                Some(&other) if other == number => return refuse(format!("it names vertex {} twice", file(v))),
                 Some(&other) if other < regions.len() => {
-                    return refuse(format!("vertex {v} is in region {other} already"));
+                    return refuse(format!("vertex {} is in region {other} already", file(v)));
                 }
-                Some(_) => (groups[v], count) = (number, count + 1),
+                Some(_) => {
+                    (groups[v], count) = (number, count + 1);
+                    low += TAU - PI * faces[v] as f64;
+                    one = v;
+                }
             }
         }
         if count == 0 {
             return refuse("it has no interior vertices".to_owned());
         }
         if region.curvature >= TAU * count as f64 {
-            let degrees = region.curvature.to_degrees();
-            return refuse(format!("{degrees} degrees are too many for {count} vertices"));
+            let which = if count == 1 { format!(" (vertex {})", file(one)) } else { String::new() };
+            return refuse(format!("{} degrees are too many for {count} vertices{which}", degrees(region.curvature)));
+        }
+        if region.curvature <= low && count == 1 {
+            let (vertex, faces) = (file(one), faces[one]);
+            return Err(MetricError::TooFewFaces { vertex, faces, value: region.curvature, limit: low });
+        }
+        if region.curvature <= low {
+            let (asked, low) = (degrees(region.curvature), degrees(low));
+            return refuse(format!(
+                "{asked} degrees are too few for {count} vertices, whose curvatures 360 - 180 d, d the number of faces of \
+                 a vertex, add up to {low} degrees"
+            ));
         }
     }
     Ok(groups)

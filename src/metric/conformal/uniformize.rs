@@ -3,7 +3,7 @@
 use super::linear::{LaplacianInverse, norm, solve_near_laplacian};
 use super::target::{CurvatureTarget, Goal};
 use super::triangulation::{Shape, Triangulation};
-use crate::mesh::Mesh;
+use crate::mesh::{Mesh, VertexId};
 use crate::metric::{Metric, MetricError};
 
 /// [`uniformize`] brings every vertex within this many radians of its target curvature.
@@ -37,6 +37,9 @@ pub struct Conformal {
     pub flips: usize,
     /// Largest distance of the curvature of a vertex from its target, in radians.
     pub residual: f64,
+    /// Whether the curvature that regions leave had to be spread in proportion to the areas of the given metric, because
+    /// none was found in which it is in proportion to its own.
+    pub by_initial_areas: bool,
 }
 
 /// Finds the metric with the target curvature in the discrete conformal class of the given lengths (|E|).
@@ -50,6 +53,9 @@ pub struct Conformal {
 /// by flips. There every target on a closed surface has a solution (Gu, Luo, Sun and Wu 2018; with target curvature
 /// in proportion to area, Kouřimská 2021). It is then expressed by the edges of the mesh, where they can be straight.
 ///
+/// Beside regions the rest need not have a solution: no sphere has constant curvature but for a single cone (Troyanov
+/// 1991). Then what is left is spread by the areas of the given metric, which can always be.
+///
 /// # Errors
 /// What [`Metric::new`] refuses; [`MetricError::TargetCount`], [`MetricError::TargetCurvature`],
 /// [`MetricError::TargetDensity`], [`MetricError::TargetRegion`], [`MetricError::GaussBonnet`] and
@@ -57,10 +63,31 @@ pub struct Conformal {
 /// [`MetricError::NotStraight`] where the solution is no metric on this mesh.
 pub fn uniformize(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -> Result<Conformal, MetricError> {
     let metric = Metric::new(mesh, edge_lengths.to_vec())?;
-    let goal = Goal::new(target, mesh, &metric)?;
+    let mut goal = Goal::new(target, mesh, &metric)?;
     let triangulation = Triangulation::new(mesh, edge_lengths);
-    let mut found = match solve(triangulation.clone(), None, &goal) {
-        Err(MetricError::NotConverged { .. }) => solve_with_flips(triangulation, &goal)?,
+    let in_file = |v: u32| mesh.file_vertex(VertexId(v)) as u32;
+    let solve_somehow = |goal: &Goal| {
+        let found = match solve(triangulation.clone(), None, goal) {
+            Err(MetricError::NotConverged { .. }) => solve_with_flips(triangulation.clone(), goal),
+            result => result,
+        };
+        found.map_err(|error| match error {
+            MetricError::NotConverged { iterations, residual, vertex } => {
+                MetricError::NotConverged { iterations, residual, vertex: in_file(vertex as u32) as usize }
+            }
+            MetricError::NotStraight { edge, vertices } => {
+                MetricError::NotStraight { edge, vertices: vertices.map(in_file) }
+            }
+            other => other,
+        })
+    };
+    let mut by_initial_areas = false;
+    let mut found = match solve_somehow(&goal) {
+        Err(error @ MetricError::NotConverged { .. }) => {
+            let unscaled = triangulation.shape(&vec![0.0; mesh.vertex_count()])?;
+            by_initial_areas = goal.spread_by_areas_of(&triangulation, &unscaled);
+            if by_initial_areas { solve_somehow(&goal)? } else { return Err(error) }
+        }
         result => result?,
     };
     let scale = goal.scale_shift(&found.triangulation, &found.u, metric.total_area(), f64::INFINITY)?;
@@ -72,6 +99,7 @@ pub fn uniformize(mesh: &Mesh, edge_lengths: &[f64], target: &CurvatureTarget) -
         corrections: found.corrections,
         flips: found.flips,
         residual: found.residual,
+        by_initial_areas,
     })
 }
 
@@ -110,12 +138,11 @@ fn solve(triangulation: Triangulation, log: Option<&mut Vec<u32>>, goal: &Goal) 
     let (mut iterations, mut corrections) = (0, 0);
     while here.residual() > CURVATURE_TOLERANCE {
         if iterations == MAX_ITERATIONS {
-            return Err(here.not_converged(iterations, None));
+            return Err(here.not_converged(iterations));
         }
         let inverse = LaplacianInverse::new(&here.triangulation, &here.shape, &goal.free, None)?;
         let step = here.newton_step(goal, &inverse);
         let mut length = 1.0;
-        let mut blocked = None;
         here = loop {
             let u = here.u.iter().zip(&step).map(|(u, step)| u - length * step).collect();
             match Iterate::new(here.triangulation.clone(), here.flips.clone(), u, goal) {
@@ -127,12 +154,13 @@ fn solve(triangulation: Triangulation, log: Option<&mut Vec<u32>>, goal: &Goal) 
                         break next;
                     }
                 }
-                Err(MetricError::TriangleInequality { face, vertices, .. }) => blocked = Some((face, vertices)),
+                // A step too far.
+                Err(MetricError::TriangleInequality { .. } | MetricError::TooManyFlips { .. }) => {}
                 Err(other) => return Err(other),
             }
             length *= 0.5;
             if length < SHORTEST_STEP {
-                return Err(here.not_converged(iterations, blocked));
+                return Err(here.not_converged(iterations));
             }
         };
         iterations += 1;
@@ -200,15 +228,17 @@ impl Iterate {
             let u = self.u.iter().zip(&change).map(|(u, change)| u - change).collect();
             match Iterate::new(self.triangulation.clone(), self.flips.clone(), u, goal) {
                 Ok(next) if norm(&next.excess) < CORRECTION_DECREASE * norm(&self.excess) => self = next,
-                Ok(_) | Err(MetricError::TriangleInequality { .. }) => return Ok((self, taken)),
+                Ok(_) | Err(MetricError::TriangleInequality { .. } | MetricError::TooManyFlips { .. }) => {
+                    return Ok((self, taken));
+                }
                 Err(other) => return Err(other),
             }
         }
         Ok((self, MAX_CORRECTIONS))
     }
 
-    fn not_converged(&self, iterations: usize, blocked: Option<(usize, [u32; 3])>) -> MetricError {
-        let (face, vertices) = blocked.unwrap_or_else(|| self.triangulation.thinnest_face(&self.shape));
-        MetricError::NotConverged { iterations, residual: self.residual(), face, vertices }
+    fn not_converged(&self, iterations: usize) -> MetricError {
+        let worst = (0..self.excess.len()).max_by(|&a, &b| self.excess[a].abs().total_cmp(&self.excess[b].abs()));
+        MetricError::NotConverged { iterations, residual: self.residual(), vertex: worst.unwrap_or(0) }
     }
 }

@@ -37,7 +37,7 @@ pub struct LookSection {
     pub color: Option<ColorSection>,
     /// Faces are left out where this formula of x, y and z of the mesh is positive.
     pub hide: Option<String>,
-    /// Faces that are left out, by index.
+    /// Faces that are left out, by their numbers in the mesh file.
     pub hide_faces: Vec<usize>,
     /// A plane in space in front of which the surface is cut away.
     pub cut: Option<CutSection>,

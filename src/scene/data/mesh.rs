@@ -11,6 +11,27 @@ pub enum MeshSection {
     Shape(Shape),
 }
 
+/// `weld` under `[mesh]`: whether boundary edges that lie upon each other of a file become one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Weld {
+    /// `"none"`
+    None,
+    /// `"exact"`: where coordinates are equal.
+    Exact,
+    /// A number: where ends are no farther apart than this, in the units of the file.
+    Within(f64),
+}
+
+impl MeshSection {
+    /// The file, if it is one.
+    pub fn file(&self) -> Option<&PathBuf> {
+        match self {
+            MeshSection::File(path) => Some(path),
+            MeshSection::Shape(_) => None,
+        }
+    }
+}
+
 impl Default for MeshSection {
     fn default() -> Self {
         MeshSection::Shape(Shape::Sphere { radius: 1.0, subdivisions: 16 })

@@ -34,6 +34,8 @@ pub struct Scene {
     pub folder: PathBuf,
     /// The surface.
     pub mesh: MeshSection,
+    /// What becomes of the seams of its file; left out, what is usual for the format.
+    pub weld: Option<Weld>,
     /// Numbers by name, for formulas.
     pub parameters: Vec<(String, NumberSection)>,
     /// Its edge lengths.

@@ -86,10 +86,16 @@ pub struct NoiseSection {
 /// A set of vertices.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SelectionSection {
-    /// `vertices = [0, 7]`: by index.
+    /// `vertices = [0, 7]`: by their numbers in the file, counted from 0.
     Vertices(Vec<usize>),
     /// `boundary = [0]`: all vertices of these boundary loops, in the order that `immerse check` lists.
     Boundary(Vec<usize>),
+    /// `boundary = "outer"`: of each component that has a boundary, the loop around all its others; where there is none,
+    /// or nothing is known of places, the longest.
+    OuterBoundary,
+    /// `boundary = "longest"`: of each component that has a boundary, its longest loop by the places of
+    /// its vertices; where there are none, the one with the most edges.
+    LongestBoundary,
     /// `box = [[x, y, z], [x, y, z]]`: inside the box with these opposite corners, faces included.
     Box([[f64; 3]; 2]),
     /// `ball = [x, y, z, radius]`: inside.
@@ -134,7 +140,7 @@ pub struct BendingRegionSection {
 /// A set of edges.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EdgeSelection {
-    /// `edges = [[0, 1]]`: by their ends. None may be on the boundary.
+    /// `edges = [[0, 1]]`: by the numbers of their ends in the file. None may be on the boundary.
     Edges(Vec<[usize; 2]>),
     /// The interior edges with both ends selected.
     Between(SelectionSection),

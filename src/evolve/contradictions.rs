@@ -1,0 +1,166 @@
+//! Pins that no surface with the lengths of the metric can keep.
+
+use super::{EvolveError, Simulation};
+use crate::mesh::{EdgeId, Mesh, VertexId};
+use glam::DVec3;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Lengths that differ by less than this share are taken for equal: what is reached differs by more.
+const TOLERANCE: f64 = 1e-3;
+/// Paths are looked for from so many of the pinned vertices, spread over all of them.
+const SOURCES: usize = 16;
+
+/// What pins and metric disagree about at a time.
+struct Contradiction {
+    time: f64,
+    /// Pinned over wanted length.
+    ratio: f64,
+    what: Length,
+}
+
+enum Length {
+    /// Of an edge with both ends pinned, and the ratio for all such edges together.
+    Edge { edge: EdgeId, pinned: f64, wanted: f64, count: usize, together: f64 },
+    /// Of the shortest way along edges.
+    Path { ends: [VertexId; 2], pinned: f64, path: f64 },
+}
+
+impl Simulation {
+    /// Sentences about pins that contradict the metric at the time of any frame, the worst of each kind: pinned edges that do
+    /// not have the length the metric asks for, and pinned vertices that are farther apart than the shortest path
+    /// along edges. Surfaces are found all the same, but do not have all lengths.
+    ///
+    /// # Errors
+    /// [`EvolveError`] where the scene gives no metric or no place for its pins.
+    pub fn pin_contradictions(&self) -> Result<Vec<String>, EvolveError> {
+        let pinned = self.course.pins.vertices();
+        if pinned.len() < 2 {
+            return Ok(Vec::new());
+        }
+        let mesh = &self.mesh;
+        let sources: Vec<VertexId> =
+            (0..SOURCES.min(pinned.len())).map(|k| pinned[k * pinned.len() / SOURCES.min(pinned.len())]).collect();
+        let mut program = self.course.program.clone();
+        let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
+        let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
+        let times =
+            if program.changes() || self.course.pins.changes() { self.clock.times().collect() } else { vec![self.time] };
+        for time in times {
+            let (lengths, paths) = match known.take() {
+                Some(known) if !program.changes() => known,
+                _ => {
+                    let at = program.at(mesh, time).map_err(|error| EvolveError::Metric { time, error })?;
+                    let lengths = at.metric.edge_lengths().to_vec();
+                    let paths = sources.iter().map(|&source| shortest_paths(mesh, &lengths, source)).collect();
+                    (lengths, paths)
+                }
+            };
+            let places = self.course.pins.at(time)?;
+            keep_worse(&mut worst_edge, worst_pinned_edge(mesh, &lengths, &places, time));
+            for (source, path) in sources.iter().zip(&paths) {
+                keep_worse(&mut worst_path, farthest_beyond(*source, path, &places, time));
+            }
+            known = Some((lengths, paths));
+        }
+        // An edge that is too short for its pins is a path, too.
+        let edge_says_so =
+            |path: &Contradiction| worst_edge.as_ref().is_some_and(|edge| edge.ratio >= path.ratio * (1.0 - TOLERANCE));
+        worst_path = worst_path.filter(|path| !edge_says_so(path));
+        Ok(worst_edge.into_iter().chain(worst_path).map(|worst| worst.sentence(mesh)).collect())
+    }
+}
+
+fn keep_worse(worst: &mut Option<Contradiction>, found: Option<Contradiction>) {
+    let size = |contradiction: &Contradiction| libm::log(contradiction.ratio).abs();
+    if let Some(found) = found.filter(|found| size(found) > TOLERANCE)
+        && worst.as_ref().is_none_or(|worst| size(&found) > size(worst))
+    {
+        *worst = Some(found);
+    }
+}
+
+fn worst_pinned_edge(mesh: &Mesh, lengths: &[f64], places: &[(VertexId, DVec3)], time: f64) -> Option<Contradiction> {
+    let mut at = vec![None; mesh.vertex_count()];
+    places.iter().for_each(|(v, place)| at[v.index()] = Some(*place));
+    let pinned: Vec<(EdgeId, f64, f64)> = mesh
+        .edges()
+        .filter_map(|e| {
+            let [a, b] = mesh.edge_vertices(e).map(|v| at[v.index()]);
+            Some((e, a?.distance(b?), lengths[e.index()]))
+        })
+        .collect();
+    let size = |&(_, pinned, wanted): &(EdgeId, f64, f64)| libm::log(pinned / wanted).abs();
+    let &(edge, length, wanted) = pinned.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let [sum, all] = pinned.iter().fold([0.0; 2], |[p, w], edge| [p + edge.1, w + edge.2]);
+    let what = Length::Edge { edge, pinned: length, wanted, count: pinned.len(), together: sum / all };
+    Some(Contradiction { time, ratio: length / wanted, what })
+}
+
+/// The pinned vertex that is farthest from a source in comparison with the path to it, if it is farther than that.
+fn farthest_beyond(source: VertexId, paths: &[f64], places: &[(VertexId, DVec3)], time: f64) -> Option<Contradiction> {
+    let (_, from) = *places.iter().find(|(v, _)| *v == source)?;
+    let beyond = |(v, place): &(VertexId, DVec3)| (*v, from.distance(*place), paths[v.index()]);
+    let pairs = places.iter().filter(|(v, _)| *v != source).map(beyond);
+    let (v, pinned, path) = pairs.max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)))?;
+    let what = Length::Path { ends: [source, v], pinned, path };
+    (pinned > path).then_some(Contradiction { time, ratio: pinned / path, what })
+}
+
+/// Length of the shortest way along edges from a vertex to each; infinite where there is none.
+fn shortest_paths(mesh: &Mesh, lengths: &[f64], source: VertexId) -> Vec<f64> {
+    let mut distances = vec![f64::INFINITY; mesh.vertex_count()];
+    distances[source.index()] = 0.0;
+    // The bits of numbers that are not negative are in their order.
+    let mut waiting = BinaryHeap::from([(Reverse(0), source)]);
+    while let Some((Reverse(bits), v)) = waiting.pop() {
+        if f64::from_bits(bits) > distances[v.index()] {
+            continue;
+        }
+        for h in mesh.outgoing(v) {
+            // On the boundary the last side of the star leads here.
+            for (h, end) in [(h, mesh.tip(h)), (h.previous(), mesh.tail(h.previous()))] {
+                let distance = distances[v.index()] + lengths[mesh.edge(h).index()];
+                if distance < distances[end.index()] {
+                    distances[end.index()] = distance;
+                    waiting.push((Reverse(distance.to_bits()), end));
+                }
+            }
+        }
+    }
+    distances
+}
+
+impl Contradiction {
+    fn sentence(&self, mesh: &Mesh) -> String {
+        let time = self.time;
+        let remedy = "no surface has these lengths with these pins; lead the pins along (`formula`, `motion`), change the \
+                      metric there, or expect length errors and rims";
+        match self.what {
+            Length::Edge { edge, pinned, wanted, count, together } => format!(
+                "pinned edges are {} times the length that the metric asks for at time {time}: {count} of them together are \
+                 {} times, and worst the edge between vertices {:?} with {} instead of {}; {remedy}",
+                short(self.ratio),
+                short(together),
+                mesh.file_ends(edge),
+                short(pinned),
+                short(wanted),
+            ),
+            Length::Path { ends, pinned, path } => format!(
+                "vertices {:?} are pinned {} apart at time {time}, {} times as far as the shortest path along edges, which has \
+                 length {}; {remedy}",
+                ends.map(|v| mesh.file_vertex(v)),
+                short(pinned),
+                short(self.ratio),
+                short(path),
+            ),
+        }
+    }
+}
+
+/// Four significant digits, without zeros at the end.
+fn short(x: f64) -> String {
+    let decimals = if x > 0.0 { (3.0 - libm::log10(x).floor()).clamp(0.0, 12.0) as usize } else { 0 };
+    let text = format!("{x:.decimals$}");
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}

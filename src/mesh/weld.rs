@@ -1,0 +1,381 @@
+//! Seams: boundary edges of a file that lie upon each other because their vertices were doubled.
+//!
+//! Two boundary edges are glued where their ends coincide, their faces then agree in orientation, and do not lie upon each
+//! other; of several at one place, those that have the inside between them. Vertices become one only as ends of glued
+//! edges, so bodies that touch in a vertex or along an edge stay apart, and every vertex keeps a single fan. What would put
+//! a third face to an edge is not glued.
+
+use super::faults::orient;
+use super::places::{equal_places, places, root};
+use glam::DVec3;
+use std::collections::{HashMap, HashSet};
+use std::f64::consts::TAU;
+
+/// Of the diagonal of the box around the mesh: far above the rounding of single precision, far below what can be seen.
+const SMALL: f64 = 1e-5;
+/// And of all but one per cent of the edges.
+const SMALL_OF_EDGES: f64 = 0.05;
+/// Faces that turn back by less than this angle lie upon each other.
+const FLAT: f64 = 1e-4;
+/// How often gluing is taken back around edges that it would spoil, before all of it is.
+const TRIES: usize = 10;
+
+/// Which vertices are one, and what is left.
+pub(super) struct Welded {
+    /// Per vertex: the smallest of those that it is one with.
+    pub first: Vec<u32>,
+    /// How many pairs of boundary edges were glued.
+    pub glued: usize,
+    /// Boundary vertices that lie at the place of another one still, or nearly.
+    pub coincident: Vec<[u32; 2]>,
+    /// How far apart the first of these are.
+    pub distance: f64,
+    /// Boundary vertices that lie at the place of one inside, with that.
+    pub on_inside: Vec<[u32; 2]>,
+}
+
+/// A distance that is nothing on this mesh.
+pub(super) fn small_distance(triangles: &[[u32; 3]], positions: &[DVec3]) -> f64 {
+    let low = positions.iter().fold(DVec3::INFINITY, |low, p| low.min(*p));
+    let high = positions.iter().fold(DVec3::NEG_INFINITY, |high, p| high.max(*p));
+    let at = |v: u32| positions[v as usize];
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut lengths: Vec<f64> = sides.map(|[a, b]| at(a).distance(at(b))).filter(|l| *l > 0.0).collect();
+    let rank = lengths.len() / 100;
+    let short = if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(rank, f64::total_cmp).1 };
+    (SMALL * low.distance(high)).min(SMALL_OF_EDGES * short)
+}
+
+/// Glues what coincides exactly, and then what does within a tolerance; nothing without one. `None` if the faces are at
+/// fault as they are.
+pub(super) fn weld(triangles: &[[u32; 3]], positions: &[DVec3], tolerance: Option<f64>) -> Option<Welded> {
+    let mut seams = Seams::new(triangles, positions)?;
+    if let Some(tolerance) = tolerance {
+        seams.glue_all(tolerance);
+    }
+    Some(seams.welded(tolerance.unwrap_or(0.0).max(small_distance(triangles, positions))))
+}
+
+/// Glues triangles that have their corners for themselves. `None` where an edge is left that lies upon another one, so that
+/// the triangles are no surfaces that touch.
+pub(super) fn weld_corners(corners: &[DVec3], tolerance: f64) -> Option<Welded> {
+    let triangles: Vec<[u32; 3]> = (0..corners.len() as u32 / 3).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
+    let mut seams = Seams::new(&triangles, corners)?;
+    seams.glue_all(tolerance);
+    (!seams.is_torn(tolerance)).then(|| seams.welded(tolerance))
+}
+
+/// Sides between the same two places, in either direction.
+struct Group {
+    ups: Vec<usize>,
+    downs: Vec<usize>,
+}
+
+struct Seams<'a> {
+    oriented: Vec<[u32; 3]>,
+    positions: &'a [DVec3],
+    /// Per side 3 f + k of the faces: whether another face is there in the file.
+    is_inner: Vec<bool>,
+    components: Components,
+    /// Pairs of sides.
+    glued: Vec<[usize; 2]>,
+}
+
+impl<'a> Seams<'a> {
+    fn new(triangles: &[[u32; 3]], positions: &'a [DVec3]) -> Option<Seams<'a>> {
+        let orientable = orient(positions.len(), triangles).ok()?;
+        let oriented: Vec<[u32; 3]> = triangles
+            .iter()
+            .zip(&orientable.reversed)
+            .map(|(&[a, b, c], &reverse)| if reverse { [a, c, b] } else { [a, b, c] })
+            .collect();
+        let mut is_inner = vec![false; 3 * triangles.len()];
+        let mut components = Components::new(triangles.len());
+        for pair in &orientable.pairs {
+            components.join(pair.faces[0], pair.faces[1], false);
+            for f in pair.faces {
+                let on_edge = |k: &usize| [*k, (*k + 1) % 3].iter().all(|&k| pair.edge.contains(&oriented[f][k]));
+                (0..3).filter(on_edge).for_each(|k| is_inner[3 * f + k] = true);
+            }
+        }
+        Some(Seams { oriented, positions, is_inner, components, glued: Vec::new() })
+    }
+
+    fn glue_all(&mut self, tolerance: f64) {
+        self.glue(0.0);
+        if tolerance > 0.0 {
+            self.glue(tolerance);
+        }
+    }
+
+    /// Whether an open side has both ends in common with another side, open or not.
+    fn is_torn(&self, tolerance: f64) -> bool {
+        let open = self.open_sides();
+        if open.is_empty() {
+            return false;
+        }
+        let all: Vec<usize> = (0..self.is_inner.len()).collect();
+        let places = self.places(&all, tolerance);
+        let key = |&side: &usize| {
+            let [a, b] = self.ends(side).map(|v| places[&v]);
+            [a.min(b), a.max(b)]
+        };
+        let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
+        all.iter().for_each(|side| *counts.entry(key(side)).or_default() += 1);
+        open.iter().any(|side| counts[&key(side)] > 1)
+    }
+
+    fn ends(&self, side: usize) -> [u32; 2] {
+        let corners = self.oriented[side / 3];
+        [corners[side % 3], corners[(side % 3 + 1) % 3]]
+    }
+
+    fn open_sides(&self) -> Vec<usize> {
+        let mut open: Vec<bool> = self.is_inner.iter().map(|inner| !inner).collect();
+        self.glued.iter().flatten().for_each(|&side| open[side] = false);
+        (0..open.len()).filter(|&side| open[side]).collect()
+    }
+
+    /// Open sides whose ends lie at the same two places, where there are several; in order of the places.
+    fn groups(&self, tolerance: f64) -> Vec<Group> {
+        let open = self.open_sides();
+        let places = self.places(&open, tolerance);
+        let mut keyed: Vec<([u32; 2], bool, usize)> = open
+            .iter()
+            .map(|&side| {
+                let [a, b] = self.ends(side).map(|v| places[&v]);
+                ([a.min(b), a.max(b)], a > b, side)
+            })
+            .filter(|([a, b], ..)| a != b)
+            .collect();
+        keyed.sort_unstable();
+        let several = keyed.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1);
+        let those = |group: &[([u32; 2], bool, usize)], down: bool| {
+            group.iter().filter(|side| side.1 == down).map(|side| side.2).collect()
+        };
+        several.map(|group| Group { ups: those(group, false), downs: those(group, true) }).collect()
+    }
+
+    /// Per end of the sides its place.
+    fn places(&self, sides: &[usize], tolerance: f64) -> HashMap<u32, u32> {
+        let mut vertices: Vec<u32> = sides.iter().flat_map(|&side| self.ends(side)).collect();
+        vertices.sort_unstable();
+        vertices.dedup();
+        places(&vertices, self.positions, tolerance)
+    }
+
+    /// Glues open sides that coincide.
+    fn glue(&mut self, tolerance: f64) {
+        let groups = self.groups(tolerance);
+        if groups.is_empty() {
+            return;
+        }
+        let before = self.glued.len();
+        for group in &groups {
+            let (same_way, a, b) = match (&*group.ups, &*group.downs) {
+                (&[a], &[b]) => (false, a, b),
+                (&[a, b], []) | ([], &[a, b]) => (true, a, b),
+                _ => continue,
+            };
+            if a / 3 != b / 3 && !self.is_flat(a, b) && self.components.join(a / 3, b / 3, same_way) {
+                self.glued.push([a, b]);
+            }
+        }
+        for group in groups.iter().filter(|group| group.ups.len() + group.downs.len() > 2) {
+            self.glue_around(group);
+        }
+        for attempt in 0..=TRIES {
+            let spoilt = self.spoilt();
+            if spoilt.is_empty() {
+                break;
+            }
+            if attempt == TRIES {
+                self.glued.truncate(before);
+                break;
+            }
+            let first = self.first();
+            let touches = |pair: &[usize; 2]| {
+                pair.iter().flat_map(|&side| self.ends(side)).any(|v| spoilt.contains(&first[v as usize]))
+            };
+            let keep: Vec<[usize; 2]> = self
+                .glued
+                .iter()
+                .enumerate()
+                .filter(|(k, pair)| *k < before || !touches(pair))
+                .map(|(_, p)| *p)
+                .collect();
+            self.glued = keep;
+        }
+    }
+
+    /// Glues sides that lie around the same line: each that runs up with the first that runs down, on the inside of it.
+    fn glue_around(&mut self, Group { ups, downs }: &Group) {
+        let Some(&reference) = ups.first() else { return };
+        let [tail, tip] = self.ends(reference).map(|v| self.positions[v as usize]);
+        let axis = (tip - tail).normalize_or_zero();
+        let zero = self.outward(reference).normalize_or_zero();
+        let angle = |side: usize| {
+            let p = self.outward(side);
+            libm::atan2(axis.cross(zero).dot(p), zero.dot(p))
+        };
+        let mut free: Vec<(f64, usize)> = downs.iter().map(|&side| (angle(side), side)).collect();
+        let mut found = Vec::new();
+        for &up in ups {
+            let here = angle(up);
+            let turn = |there: f64| (here - there).rem_euclid(TAU);
+            let inside = free
+                .iter()
+                .enumerate()
+                .filter(|(_, (there, side))| (FLAT..TAU - FLAT).contains(&turn(*there)) && side / 3 != up / 3);
+            if let Some((k, _)) = inside.min_by(|a, b| turn(a.1.0).total_cmp(&turn(b.1.0))) {
+                found.push([up, free.remove(k).1]);
+            }
+        }
+        for [a, b] in found {
+            if self.components.join(a / 3, b / 3, false) {
+                self.glued.push([a, b]);
+            }
+        }
+    }
+
+    /// From a side to the third corner of its face, at a right angle to the side.
+    fn outward(&self, side: usize) -> DVec3 {
+        let corners = self.oriented[side / 3].map(|v| self.positions[v as usize]);
+        let (tail, tip, top) = (corners[side % 3], corners[(side + 1) % 3], corners[(side + 2) % 3]);
+        (top - tail).reject_from_normalized((tip - tail).normalize_or_zero())
+    }
+
+    /// Whether the faces of two coinciding sides lie upon each other.
+    fn is_flat(&self, a: usize, b: usize) -> bool {
+        let (p, q) = (self.outward(a), self.outward(b));
+        p.dot(q) > 0.0 && p.cross(q).length() < FLAT * p.dot(q)
+    }
+
+    /// Per vertex the smallest that it is one with.
+    fn first(&self) -> Vec<u32> {
+        let mut parents: Vec<u32> = (0..self.positions.len() as u32).collect();
+        for &[g, h] in &self.glued {
+            let ([a, b], [mut c, mut d]) = (self.ends(g), self.ends(h));
+            if self.same_way(g, h) {
+                (c, d) = (d, c);
+            }
+            for (v, w) in [(a, d), (b, c)] {
+                let (v, w) = (root(&mut parents, v), root(&mut parents, w));
+                parents[v.max(w) as usize] = v.min(w);
+            }
+        }
+        (0..parents.len() as u32).map(|v| root(&mut parents, v)).collect()
+    }
+
+    /// Whether two glued sides run from the same place to the same place.
+    fn same_way(&self, g: usize, h: usize) -> bool {
+        let [[a, b], [c, d]] = [self.ends(g), self.ends(h)].map(|ends| ends.map(|v| self.positions[v as usize]));
+        a.distance_squared(c) + b.distance_squared(d) < a.distance_squared(d) + b.distance_squared(c)
+    }
+
+    /// Vertices, by the smallest that they are one with, where faces would lose a side or sides would meet that were not
+    /// glued.
+    fn spoilt(&self) -> HashSet<u32> {
+        let first = self.first();
+        let mut partner: HashMap<usize, usize> = HashMap::new();
+        for &[g, h] in &self.glued {
+            partner.insert(g, h);
+            partner.insert(h, g);
+        }
+        let mut sides: Vec<([u32; 2], usize)> = (0..3 * self.oriented.len())
+            .map(|side| {
+                let [a, b] = self.ends(side).map(|v| first[v as usize]);
+                ([a.min(b), a.max(b)], side)
+            })
+            .collect();
+        sides.sort_unstable();
+        let mut spoilt = HashSet::new();
+        for group in sides.chunk_by(|a, b| a.0 == b.0) {
+            let fine = match *group {
+                [_] => true,
+                [(_, g), (_, h)] => partner.get(&g) == Some(&h) || (self.is_inner[g] && self.is_inner[h]),
+                _ => false,
+            };
+            let [a, b] = group[0].0;
+            if !fine || a == b {
+                spoilt.extend([a, b]);
+            }
+        }
+        spoilt
+    }
+
+    fn welded(self, near: f64) -> Welded {
+        let first = self.first();
+        let open = self.open_sides();
+        let places = self.places(&open, near);
+        let mut at: Vec<(u32, u32)> = places.iter().map(|(v, place)| (*place, first[*v as usize])).collect();
+        at.sort_unstable();
+        at.dedup();
+        let groups = at.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1);
+        let coincident: Vec<[u32; 2]> =
+            groups.flat_map(|group| group[1..].iter().map(|(_, other)| [group[0].1, *other])).collect();
+        let apart = |[a, b]: &[u32; 2]| self.positions[*a as usize].distance(self.positions[*b as usize]);
+        Welded {
+            on_inside: self.on_inside(&open, &first),
+            distance: coincident.first().map_or(0.0, apart),
+            coincident,
+            glued: self.glued.len(),
+            first,
+        }
+    }
+
+    /// Vertices of open sides at the place of one that has none, with that.
+    fn on_inside(&self, open: &[usize], first: &[u32]) -> Vec<[u32; 2]> {
+        if open.is_empty() {
+            return Vec::new();
+        }
+        let mut on_boundary = vec![false; first.len()];
+        open.iter().flat_map(|&side| self.ends(side)).for_each(|v| on_boundary[first[v as usize] as usize] = true);
+        let mut corners: Vec<u32> = self.oriented.iter().flatten().map(|&v| first[v as usize]).collect();
+        corners.sort_unstable();
+        corners.dedup();
+        let (rim, inside): (Vec<u32>, Vec<u32>) = corners.into_iter().partition(|&v| on_boundary[v as usize]);
+        equal_places(&rim, &inside, self.positions)
+    }
+}
+
+/// Which faces hang together, and which of them would have to be reversed.
+struct Components {
+    parents: Vec<u32>,
+    /// Whether a face is to be reversed if its parent is not.
+    reversed: Vec<bool>,
+}
+
+impl Components {
+    fn new(faces: usize) -> Components {
+        Components { parents: (0..faces as u32).collect(), reversed: vec![false; faces] }
+    }
+
+    fn root(&mut self, face: usize) -> (usize, bool) {
+        let (mut at, mut turned) = (face, false);
+        while self.parents[at] as usize != at {
+            turned ^= self.reversed[at];
+            at = self.parents[at] as usize;
+        }
+        let (whole, mut at, mut left) = (at, face, turned);
+        while self.parents[at] as usize != at {
+            let (next, own) = (self.parents[at] as usize, self.reversed[at]);
+            (self.parents[at], self.reversed[at]) = (whole as u32, left);
+            left ^= own;
+            at = next;
+        }
+        (whole, turned)
+    }
+
+    /// Joins two faces, one of which is to be reversed if `reverse`; `false` if that contradicts what was joined before.
+    fn join(&mut self, f: usize, g: usize, reverse: bool) -> bool {
+        let ((a, turned_a), (b, turned_b)) = (self.root(f), self.root(g));
+        let wanted = turned_a ^ turned_b ^ reverse;
+        if a == b {
+            return !wanted;
+        }
+        self.parents[a.max(b)] = a.min(b) as u32;
+        self.reversed[a.max(b)] = wanted;
+        true
+    }
+}
