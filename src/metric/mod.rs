@@ -6,6 +6,7 @@ mod error;
 mod intrinsic;
 mod lengths;
 mod program;
+mod ricci_change;
 
 pub use conformal::{
     BoundaryCondition, CURVATURE_TOLERANCE, Conformal, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature,
