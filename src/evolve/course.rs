@@ -75,6 +75,11 @@ impl Course {
         Ok(angles.map(|angles| component.edges.pick(&angles)))
     }
 
+    /// Per edge of a component: whether a bending angle is asked for.
+    pub fn is_bent(&self, component: &Component) -> Option<Vec<bool>> {
+        self.bending.as_ref().map(|bending| component.edges.pick(bending.is_asked()))
+    }
+
     /// The pinned vertices of a component, numbered as in it, with their places.
     pub fn pins_of(&self, component: &Component, time: f64) -> Result<Vec<(VertexId, DVec3)>, AtKey<PinError>> {
         let here = |(v, place): (VertexId, DVec3)| Some((VertexId::new(component.vertices.here(v.index())?), place));

@@ -1,6 +1,7 @@
 //! The measures of a frame.
 
 use super::follow::strain;
+use super::places::{BendingSums, worst_places};
 use super::relaxation::Relaxation;
 use super::simulation::Previous;
 use super::{ComponentReport, Cursor, Frame, FrameReport, Simulation};
@@ -45,6 +46,8 @@ impl Simulation {
             pin_distance: parts.iter().filter_map(|part| part.pin_distance).reduce(f64::max),
             enclosed_volume: enclosed_volume(mesh, &positions),
             largest_dent: parts.iter().map(|part| part.dent).reduce(|a, b| Some(a?.max(b?))).flatten(),
+            bending_error: parts.iter().filter_map(|part| part.bending).reduce(BendingSums::with).map(|sums| sums.error()),
+            places: worst_places(mesh, metric, &positions, &rims, &pinch_points),
             cursor: Cursor::of_all(&cursors),
             converged: self.components.iter().all(Relaxation::has_converged),
             ..FrameReport::default()
@@ -79,6 +82,7 @@ struct Part {
     periods: [f64; 2],
     mean_distance: Option<f64>,
     dent: Option<f64>,
+    bending: Option<BendingSums>,
     /// The largest distance of a pinned vertex from its place; `None` without pins.
     pin_distance: Option<f64>,
     report: ComponentReport,
@@ -113,6 +117,7 @@ impl Part {
             periods: parts.periods.squared_norms(mesh, metric, &vectors),
             mean_distance: relaxation.original.as_ref().map(|o| mean_distance(mesh, metric, o, &positions)),
             dent: relaxation.dent(&positions),
+            bending: BendingSums::of(relaxation, &positions),
             pin_distance: pin_distances.reduce(f64::max),
             report,
         }

@@ -40,6 +40,8 @@ pub(super) struct Relaxation {
     pub class: Vec<bool>,
     /// Target bending angles now, |E|.
     pub angles: Option<Vec<f64>>,
+    /// Per edge: whether its angle is asked for.
+    pub is_bent: Option<Vec<bool>>,
     /// Pins now.
     pub places: Vec<(VertexId, DVec3)>,
     pub parts: Discretization,
@@ -113,6 +115,7 @@ impl Relaxation {
             number,
             of,
             class: spin.class(&mesh, &metric, &homology),
+            is_bent: course.is_bent(&component),
             component,
             metric,
             homology,

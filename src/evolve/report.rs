@@ -70,6 +70,37 @@ pub struct ComponentReport {
     pub converged: bool,
 }
 
+/// Distance of bending angles from their targets, over the edges that have one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct BendingError {
+    /// Root mean square in degrees, edges weighted by length.
+    pub rms_degrees: f64,
+    /// The largest one in degrees,
+    pub max_degrees: f64,
+    /// and the ends of its edge.
+    pub edge: [usize; 2],
+}
+
+/// Where a frame is worst. Vertices and faces have the numbers of the mesh file, from 0.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct Places {
+    /// Ends of the edge with the largest length error.
+    pub worst_edge: [usize; 2],
+    /// Ends of the first few rims.
+    pub rims: Vec<[usize; 2]>,
+    /// The first few pinch points.
+    pub pinch_points: Vec<usize>,
+    /// The thinnest face,
+    pub thinnest_face: usize,
+    /// and its least height over its longest side; 0.87 for an equilateral triangle.
+    pub thinness: f64,
+    /// The inner vertex of largest absolute curvature,
+    pub sharpest_vertex: usize,
+    /// and that curvature in degrees.
+    pub sharpest_degrees: f64,
+}
+
 /// One line of `inspect`: what a cached frame is worth.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FrameReport {
@@ -133,6 +164,12 @@ pub struct FrameReport {
     /// is not convex, or one of the components has another.
     #[serde(default)]
     pub largest_dent: Option<f64>,
+    /// With target bending angles: how far the surface is from them.
+    #[serde(default)]
+    pub bending_error: Option<BendingError>,
+    /// Where what may be wrong with the frame is to be looked for.
+    #[serde(default)]
+    pub places: Places,
     /// The components one by one, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub components: Vec<ComponentReport>,

@@ -2,8 +2,9 @@
 //!
 //! With the ε₁ of the last phase, which is nearly nothing, a dent or a pleat costs next to no energy. A film that
 //! starts from the mesh's own shape therefore bends as stiffly as its metric allows: it starts with a larger ε₁, and
-//! comes down by a factor when a frame would not have its lengths otherwise, to stay there. A surface that can be
-//! smooth has smaller length errors that way, too; one that must crumple is soon where other films begin.
+//! comes down by a factor when a frame would not have its lengths otherwise, to stay there: a surface that can be smooth is,
+//! what must crumple is soon where other films begin. From there every frame goes on to the ε₁ of the phase, which takes out
+//! the length error that stiffness makes, and leaves a smooth surface smooth.
 
 use super::relaxation::Relaxation;
 use super::{EvolveError, Observer, Phase, Settling};
@@ -19,7 +20,7 @@ const IRON: f64 = 0.1;
 const DENTED: f64 = 0.01;
 
 impl Relaxation {
-    /// Steps at the time of a frame until it has settled, as stiff as it may be.
+    /// Steps at the time of a frame until it has settled, as stiff as it may be at first.
     pub(super) fn settle(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
         self.come_down(settling, observer)?;
         if self.is_dented() {
@@ -48,17 +49,17 @@ impl Relaxation {
     }
 
     fn come_down(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
-        loop {
-            let is_last = !self.is_smooth || self.cursor.level >= STIFFER.len();
-            let before = (!is_last).then(|| self.face_frames.clone());
+        while self.is_smooth && self.cursor.level < STIFFER.len() {
+            let before = self.face_frames.clone();
             self.run_to_rest(&self.following_phase(settling), settling, observer)?;
-            match before {
-                // What a surface has of folds that its metric asks for would not come back the same.
-                Some(before) if self.length_error_now() > FITS => self.face_frames = before,
-                _ => return Ok(()),
+            if self.length_error_now() <= FITS {
+                break;
             }
+            // What a surface has of folds that its metric asks for would not come back the same.
+            self.face_frames = before;
             self.cursor.level += 1;
         }
+        self.run_to_rest(&settling.phase(&self.phases), settling, observer)
     }
 
     fn iron(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {

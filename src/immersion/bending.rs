@@ -41,6 +41,8 @@ pub struct TargetBending {
     amount: Number,
     /// Edges with an angle of their own, in degrees.
     regions: Vec<(Vec<EdgeId>, Number)>,
+    /// Per edge: whether an angle is asked for, |E|. Where only regions have angles, all else is merely flat at rest.
+    is_asked: Vec<bool>,
 }
 
 impl TargetBending {
@@ -78,12 +80,19 @@ impl TargetBending {
             let angle = Number::from_scene(&region.angle, parameters).map_err(AtKey::of(format!("{key}.angle")))?;
             regions.push((edges, angle));
         }
-        Ok(TargetBending { angles, amount, regions })
+        let mut is_asked: Vec<bool> = mesh.edges().map(|e| section.from.is_some() && !mesh.is_boundary_edge(e)).collect();
+        regions.iter().flat_map(|(edges, _)| edges).for_each(|e| is_asked[e.index()] = true);
+        Ok(TargetBending { angles, amount, regions, is_asked })
     }
 
     /// Whether any depends on time.
     pub fn changes(&self) -> bool {
         self.amount.changes() || self.regions.iter().any(|(_, angle)| angle.changes())
+    }
+
+    /// Per edge: whether an angle is asked for, |E|.
+    pub fn is_asked(&self) -> &[bool] {
+        &self.is_asked
     }
 
     /// The targets at a time in radians, |E|; those of boundary edges mean nothing.
