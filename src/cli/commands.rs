@@ -9,6 +9,7 @@ use clap::{CommandFactory, Parser};
 
 use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film, SceneFile};
+use super::checks::step_limit_line;
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
 use super::gallery::gallery;
@@ -102,6 +103,7 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             let inspection = Inspection::of(&folder)?;
             write_curves_of_film(&folder, &inspection)?;
             progress.clear();
+            say_step_limit(&inspection);
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
         Command::Render { film, pictures } => {
@@ -112,7 +114,8 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
-        Command::Check(file) => {
+        Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", pipeline::phases(&read(file)?)?)?),
+        Command::Check { scene: file, phases: false } => {
             let scene = read(file)?;
             for note in pipeline::check(&scene)? {
                 writeln!(out, "{note}")?;
@@ -140,6 +143,7 @@ fn read(file: &SceneFile) -> Result<Scene, Failure> {
         // Paths of a scene start in its folder, those of a command line where it is typed.
         scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));
     }
+    pipeline::count_classes(&mut scene)?;
     Ok(scene)
 }
 
@@ -166,7 +170,13 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
         writeln!(out)?;
         inspection.write_checks(out)?;
     }
+    say_step_limit(&inspection);
     all_is_well(&inspection)
+}
+
+/// Says on standard error, in one line, which frames ran into the limit of steps.
+fn say_step_limit(inspection: &Inspection) {
+    step_limit_line(&inspection.frames).iter().for_each(|line| say(format_args!("warning: {line}")));
 }
 
 /// One frame has no curves.
@@ -195,6 +205,9 @@ fn all_is_well(inspection: &Inspection) -> Result<(), Failure> {
     let broken: Vec<&str> = inspection.checks.iter().filter(|check| !check.holds).map(|check| check.name).collect();
     if !broken.is_empty() {
         say(format_args!("error: the film does not hold to its [checks]: {}", broken.join(", ")));
+    }
+    for check in inspection.checks.iter().filter(|check| !check.holds) {
+        check.reason.iter().for_each(|reason| say(format_args!("error: {}: {reason}", check.name)));
     }
     for error in &inspection.damaged {
         say(format_args!("error: {error}"));

@@ -16,7 +16,7 @@ mod pipeline;
 mod progress;
 mod text_table;
 
-pub use checks::{Check, checks_of};
+pub use checks::{Check, checks_of, step_limit_line};
 pub use commands::main;
 pub use curves::{curves_csv, curves_svg};
 pub use frame_range::{FrameRange, FrameRangeError};

@@ -15,7 +15,7 @@ mod simulation;
 
 pub use error::{EvolveError, SetupError};
 pub use pace::{Pace, Settling};
-pub use phase::{Phase, default_phases, phases_from_scene};
+pub use phase::{Phase, PhaseError, default_phases, phase_sections, phases_from_scene};
 pub use progress::{Observer, Progress, Unobserved};
-pub use report::{Cursor, FrameReport};
-pub use simulation::{Checkpoint, Frame, Simulation};
+pub use report::{Cursor, FrameReport, NO_CLASS};
+pub use simulation::{Checkpoint, Frame, Simulation, clock_of};

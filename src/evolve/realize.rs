@@ -2,7 +2,7 @@
 
 use super::follow::strain;
 use super::simulation::Previous;
-use super::{Frame, FrameReport, Simulation};
+use super::{Frame, FrameReport, NO_CLASS, Pace, Simulation};
 use crate::frames::energy;
 use crate::immersion::*;
 use crate::mesh::{EdgeId, Mesh, VertexId};
@@ -33,7 +33,7 @@ impl Simulation {
             rims: rims.len(),
             rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
             pinch_points: pinch_points.len(),
-            spin_class: class_digits(&class),
+            spin_class: if pinch_points.is_empty() { class_digits(&class) } else { NO_CLASS.into() },
             energy: energy(shell, stiffness, frames),
             period_error: self.parts.periods.relative_error(mesh, metric, &vectors),
             curvature_error: self.curvature_error,
@@ -41,6 +41,7 @@ impl Simulation {
             pin_distance: self.pin_distance(&positions),
             cursor: self.cursor,
             converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
+            on_the_way: matches!(self.pace, Pace::Steps(_)) && self.cursor.phase < self.phases.len(),
             ..FrameReport::default()
         };
         if let Some(previous) = &self.previous {

@@ -3,11 +3,11 @@
 use super::discretization::Discretization;
 use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
 use crate::frames::{Shell, Stepper, random_frames, spectral_frames};
-use crate::immersion::{Pins, TargetBending, initial_positions, rimless_frames, spin_from_scene};
+use crate::immersion::{Pins, TargetBending, initial_positions, rimless_frames, spin_from_scene, spin_of_immersion};
 use crate::mesh::{self, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricAt, MetricProgram, lengths_of_positions};
-use crate::scene::{AtKey, Scene, SpinSection, StartFrom};
-use crate::spin::{Homology, SpinStructure};
+use crate::scene::{AtKey, ClockSection, Scene, SpinSection, StartFrom};
+use crate::spin::{Homology, SpinError, SpinStructure};
 use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
 
@@ -118,7 +118,8 @@ impl Simulation {
     pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
         let parameters = Parameters::from_scene(&scene.parameters)
             .map_err(|(name, error)| AtKey { key: format!("parameters.{name}"), error })?;
-        let clock = Clock::from_scene(&scene.clock);
+        let section = clock_of(scene, &surface.mesh)?;
+        let clock = Clock::from_scene(&section);
         let time = clock.time(1);
         let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
         let MetricAt { metric, curvature_error } = program.at(&surface.mesh, time)?;
@@ -137,7 +138,7 @@ impl Simulation {
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, positions)?;
         let pinned = pins.at(time)?;
         let angles = bending.as_ref().map(|bending| bending.at(time)).transpose()?;
-        let phases = phases_from_scene(&scene.phases, &scene.start.from, mesh.face_count());
+        let phases = phases_from_scene(scene, mesh.face_count())?;
         let stepper = |shell: &Shell| {
             let mut stepper = Stepper::new(shell);
             phases.first().inspect(|first| stepper.prepare(shell, &first.step));
@@ -150,9 +151,6 @@ impl Simulation {
         let original = positions.filter(|positions| are_lengths_of(&mesh, &metric, positions)).map(<[DVec3]>::to_vec);
         let changes = program.changes() || pins.changes() || bending.as_ref().is_some_and(TargetBending::changes);
         let class = spin.class(&mesh, &metric, &homology);
-        if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
-            return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
-        }
         Ok(Simulation {
             mesh,
             repairs,
@@ -167,8 +165,8 @@ impl Simulation {
             pins,
             clock,
             changes,
-            accuracy: scene.clock.accuracy,
-            pace: Pace::from_scene(&scene.clock, &scene.spin, changes),
+            accuracy: section.accuracy,
+            pace: Pace::from_scene(&section, &scene.spin, changes),
             frame: 0,
             time,
             cursor: Cursor::default(),
@@ -234,10 +232,18 @@ impl Simulation {
         Ok(self.frame_now())
     }
 
+    /// The class of the positions that frames start from, as q on every generator; `None` where they come from none. The
+    /// error is [`SpinError::NotAnImmersion`] where those are in no class.
+    pub fn class_of_start(&self) -> Option<Result<Vec<bool>, SpinError>> {
+        let Simulation { mesh, metric, homology, .. } = self;
+        let spin = spin_of_immersion(mesh, metric, self.shape.as_deref()?);
+        Some(spin.map(|spin| spin.class(mesh, metric, homology)))
+    }
+
     /// Starts over in the class with this number, the last generator being its last binary digit.
     fn begin_class(&mut self, number: usize) -> Result<(), EvolveError> {
         let betti = self.homology.betti();
-        self.class = (0..betti).map(|k| number >> (betti - 1 - k) & 1 == 1).collect();
+        self.class = (0..betti).map(|k| digit(number, betti - 1 - k)).collect();
         self.spin = SpinStructure::of_class(&self.mesh, &self.metric, &self.homology, &self.class)?;
         self.discretize()?;
         (self.frames, _) = start(&self.start, &self.mesh, &self.metric, &self.parts.shell, self.shape.as_deref());
@@ -269,6 +275,32 @@ impl Simulation {
         self.previous = Some(Previous { positions: from.positions, rims: from.rims, edge_lengths: from.edge_lengths });
         Ok(())
     }
+}
+
+/// The clock of a scene on its mesh, which says how many classes there are where each has a frame.
+///
+/// # Errors
+/// [`SetupError::TooManyClasses`], [`SetupError::MoreFramesThanClasses`]
+pub fn clock_of(scene: &Scene, mesh: &Mesh) -> Result<ClockSection, SetupError> {
+    let ClockSection { frames, a_frame_for_each_class, .. } = scene.clock;
+    if scene.spin != SpinSection::All {
+        return Ok(scene.clock);
+    }
+    let betti = mesh.betti();
+    let classes = u32::try_from(betti).ok().and_then(|betti| 1_usize.checked_shl(betti));
+    match classes {
+        Some(classes) if a_frame_for_each_class && classes <= ClockSection::MOST_FRAMES => {
+            Ok(ClockSection { frames: classes, a_frame_for_each_class: false, ..scene.clock })
+        }
+        _ if a_frame_for_each_class => Err(SetupError::TooManyClasses { betti }),
+        Some(classes) if frames > classes => Err(SetupError::MoreFramesThanClasses { frames, betti }),
+        _ => Ok(scene.clock),
+    }
+}
+
+/// The binary digit of a number at a place, 0 beyond all that it has.
+fn digit(number: usize, place: usize) -> bool {
+    u32::try_from(place).ok().and_then(|place| number.checked_shr(place)).is_some_and(|rest| rest & 1 == 1)
 }
 
 /// Whether the lengths of a metric are those of positions, up to rounding.

@@ -81,9 +81,10 @@ impl Scene {
     /// counts as empty; the mesh or metric that wants it says so.
     pub fn simulation_fingerprint(&self) -> u32 {
         let sections = (&self.mesh, &self.parameters, &self.metric, &self.spin, &self.start, &self.phases);
+        let relaxation = &self.relaxation;
         let more = (&self.bending, &self.pins, &self.clock);
         let mut hasher = crc32fast::Hasher::new();
-        hasher.update(format!("{sections:?}{more:?}").as_bytes());
+        hasher.update(format!("{sections:?}{more:?}{relaxation:?}").as_bytes());
         for path in self.files() {
             hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
         }
