@@ -475,3 +475,50 @@ fn a_gallery_has_one_picture_of_each_scene_and_skips_what_is_not_there() {
     let (code, _, err) = program(folder.path(), &["gallery", "scenes/absent.toml"]);
     assert_eq!(code, 2, "what is named has to be there: {err}");
 }
+
+/// What a format cannot hold is said, and how long it takes then.
+#[test]
+fn what_is_too_fast_or_too_slow_for_a_gif_is_said() {
+    let folder = tempfile::tempdir().expect("a folder");
+    growing_ball(folder.path(), 4);
+    let notes = |rate: f64, animation: &str| {
+        let text = format!(
+            "[output]\nsize = [16, 12]\nsamples = 1\nframe_rate = {rate}\nanimation = [{animation}]\n[clock]\nframes = 4"
+        );
+        let mut notes = Vec::new();
+        let watch = &mut |event| {
+            if let Event::Note(note) = event {
+                notes.push(note);
+            }
+        };
+        make_pictures(&scene(&text), folder.path(), &[1, 2, 3, 4], watch).expect("pictures");
+        notes
+    };
+    for rate in [60.0, 50.5, 120.0] {
+        let notes = notes(rate, "'gif', 'apng'");
+        assert_eq!(notes.len(), 1, "{notes:?}");
+        assert!(notes[0].contains("50 frames a second") && notes[0].contains("apng or mp4"), "{notes:?}");
+    }
+    assert!(notes(0.001, "'gif'")[0].contains("film.gif shows 0.00153 frames a second"));
+    for rate in [50.0, 30.0, 23.976, 12.0, 1.0, 0.5] {
+        assert!(notes(rate, "'gif'").is_empty(), "{rate}");
+        let options = gif::DecodeOptions::new();
+        let file = BufReader::new(File::open(folder.path().join("film.gif")).expect("a file"));
+        let mut reader = options.read_info(file).expect("a GIF");
+        let mut delays = Vec::new();
+        while let Some(frame) = reader.read_next_frame().expect("a frame") {
+            delays.push(f64::from(frame.delay));
+        }
+        let total: f64 = delays.iter().sum();
+        assert!((total - 400.0 / rate).abs() <= 0.5, "{rate}: {delays:?}");
+    }
+    assert!(notes(60.0, "'apng'").is_empty());
+    for rate in [1000.0, 60.0, 23.976, 1.0, 0.1, 0.001] {
+        notes(rate, "'apng'");
+        let file = BufReader::new(File::open(folder.path().join("film.apng")).expect("a file"));
+        let reader = png::Decoder::new(file).read_info().expect("a PNG");
+        let control = reader.info().frame_control.expect("a frame");
+        let delay = f64::from(control.delay_num) / f64::from(control.delay_den);
+        assert!((delay * rate - 1.0).abs() < 2e-3, "{rate}: {delay}");
+    }
+}

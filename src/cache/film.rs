@@ -145,6 +145,9 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Io`]
     pub fn restart(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
+        if folder.is_file() {
+            return Err(CacheError::not_a_folder(folder));
+        }
         let frames = folder.join("frames");
         if frames.is_dir() {
             let mut old = Vec::new();
@@ -192,9 +195,12 @@ impl Cache {
     /// Opens the folder of a film to read it.
     ///
     /// # Errors
-    /// [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
+    /// [`CacheError::NotAFolder`], [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
     /// the program wrote it, [`CacheError::Damaged`] if it is not what was written.
     pub fn open(folder: &Path) -> Result<Cache, CacheError> {
+        if folder.is_file() {
+            return Err(CacheError::not_a_folder(folder));
+        }
         let path = folder.join("manifest.json");
         let bytes = read(&path)?.ok_or_else(|| CacheError::NotAFilm { path: folder.to_owned() })?;
         let manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error, RESTART))?;

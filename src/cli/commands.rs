@@ -18,7 +18,8 @@ use super::picture_options::PictureOptions;
 use super::pipeline::{self, PipelineError, Summary};
 use super::progress::Bar;
 use crate::cache::CacheError;
-use crate::scene::{MeshSection, Scene};
+use crate::movie::{self, Leftovers};
+use crate::scene::{MeshSection, OutputSection, Scene};
 
 /// The scene that `new` writes.
 const STARTER: &str = include_str!("starter.toml");
@@ -103,6 +104,7 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             let inspection = Inspection::of(&folder)?;
             write_curves_of_film(&folder, &inspection)?;
             progress.clear();
+            clear_leftovers(&folder, None)?;
             say_step_limit(&inspection);
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
@@ -111,6 +113,7 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             let frames = pictures.apply(&mut scene)?;
             let summary = pipeline::render_frames(&scene, &folder, &frames, &mut progress)?;
             progress.clear();
+            clear_leftovers(&folder, Some(&scene.output))?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
@@ -163,6 +166,7 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
     let inspection = Inspection::of(&folder)?;
     write_curves_of_film(&folder, &inspection)?;
     progress.clear();
+    clear_leftovers(&folder, Some(&scene.output))?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
     inspection.write_summary(out)?;
@@ -173,6 +177,27 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
     say_step_limit(&inspection);
     all_is_well(&inspection)
 }
+
+/// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
+fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), PipelineError> {
+    let Leftovers { removed, older } = movie::clear_leftovers(folder, output).map_err(PipelineError::from)?;
+    let named = |names: &[String]| match names.len().saturating_sub(NAMED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names[..NAMED].join(", ")),
+    };
+    if !removed.is_empty() {
+        let (count, names) = (removed.len(), named(&removed));
+        say(format_args!("{}: removed what is not of this film ({count} files): {names}", folder.display()));
+    }
+    if !older.is_empty() {
+        let (count, names) = (older.len(), named(&older));
+        say(format_args!("{}: left from an earlier run, not made anew ({count} files): {names}", folder.display()));
+    }
+    Ok(())
+}
+
+/// Files that are listed by name.
+const NAMED: usize = 8;
 
 /// Says on standard error, in one line, which frames ran into the limit of steps.
 fn say_step_limit(inspection: &Inspection) {

@@ -70,7 +70,8 @@ pub struct Summary {
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let mut simulation = set_up(scene)?;
     simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
-    let [width, height] = Plan::of(scene)?.size();
+    let plan = Plan::of(scene)?;
+    let [width, height] = plan.size();
     let mesh = &simulation.mesh;
     let mut notes = vec![format!(
         "{} vertices, {} edges, {} faces, genus {}, {} boundary loops, {} components",
@@ -102,6 +103,7 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     notes.extend(simulation.class_of_start().map(|start| start_and_target(start, &simulation)));
     notes.extend(simulation.repairs.iter().cloned());
     notes.push(format!("pictures of {width} x {height} pixels"));
+    notes.extend(plan.notes());
     Ok(notes)
 }
 
