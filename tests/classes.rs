@@ -43,7 +43,9 @@ fn there_is_a_frame_for_each_class_unless_the_clock_says_else() {
         assert_eq!(clock_of(&scene, &surface.mesh).unwrap().frames, classes, "{mesh}");
     }
     // An explicit number counts, without [clock] as with one.
-    for (clock, frames) in [("", 4), ("[clock]\nend = 2\n", 4), ("[clock]\nframes = 1\n", 1), ("[clock]\nframes = 3\n", 3)] {
+    for (clock, frames) in
+        [("", 4), ("[clock]\nend = 2\n", 4), ("[clock]\nframes = 1\n", 1), ("[clock]\nframes = 3\n", 3)]
+    {
         let scene = scene(&format!("{TORUS}[spin]\nclass = 'all'\n{clock}"));
         let surface = from_scene(&scene.mesh, &scene.folder).unwrap();
         assert_eq!(clock_of(&scene, &surface.mesh).unwrap().frames, frames, "{clock}");
@@ -95,7 +97,8 @@ fn too_many_classes_are_refused_in_a_sentence() {
 #[test]
 fn a_pinched_surface_has_no_class() {
     // Two steps from random frames leave pinch points.
-    let scene = scene("[mesh]\nshape = 'flat_torus'\ncolumns = 16\nrows = 14\n[[phase]]\nmin_steps = 1\nmax_steps = 1\n");
+    let scene =
+        scene("[mesh]\nshape = 'flat_torus'\ncolumns = 16\nrows = 14\n[[phase]]\nmin_steps = 1\nmax_steps = 1\n");
     let mut simulation = Simulation::from_scene(&scene).unwrap();
     let frame = simulation.relax(Some(1), &mut Unobserved).unwrap();
     assert!(frame.report.pinch_points > 0 && !pinch_points(&simulation.mesh, &frame.positions).is_empty());

@@ -106,7 +106,6 @@ fn values_at_the_rim_converge() {
         let values = mean_curvatures(&mesh, &positions);
         deviations(&mesh, &values, |v| curvature(positions[v.index()]))[0]
     };
-    let radius = |p: DVec3| p.truncate().length();
     // Half of 1/r times the cosine of the slope.
     let of_cone: fn(DVec3) -> f64 = |p| 0.5 / (p.truncate().length() * 2.0_f64.sqrt());
     // z = r²: (2/(1 + 4r²)^1.5 + 2/(1 + 4r²)^0.5)/2, bulging to the front, which is outside.
@@ -114,9 +113,8 @@ fn values_at_the_rim_converge() {
         let slope = 1.0 + 4.0 * p.truncate().length_squared();
         slope.powf(-1.5) + slope.powf(-0.5)
     };
-    let profiles: [(&str, fn(f64) -> DVec2, fn(DVec3) -> f64); 3] =
-        [("cone", cone, of_cone), ("catenoid", catenoid, |_| 0.0), ("bowl", bowl, of_bowl)];
-    assert!(radius(DVec3::X) == 1.0);
+    type Profile = (&'static str, fn(f64) -> DVec2, fn(DVec3) -> f64);
+    let profiles: [Profile; 3] = [("cone", cone, of_cone), ("catenoid", catenoid, |_| 0.0), ("bowl", bowl, of_bowl)];
     for (name, profile, curvature) in profiles {
         let sign = {
             let (mesh, positions) = revolved(32, 8, 0.0, profile);

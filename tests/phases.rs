@@ -120,9 +120,8 @@ fn the_stiffness_is_that_of_the_last_phase_and_least_of_all_others() {
 fn asking_for_more_bending_keeps_random_starts_relaxing() {
     for mesh in ["shape = 'torus'\ncolumns = 24\nrows = 16", "shape = 'sphere'\nsubdivisions = 8"] {
         for (stiffness, accuracy) in [(0.001, 0.02), (0.01, 0.08)] {
-            let scene = scene(&format!(
-                "[mesh]\n{mesh}\n[start]\nrandom = 1\n[relaxation]\nbending_stiffness = {stiffness}\n"
-            ));
+            let scene =
+                scene(&format!("[mesh]\n{mesh}\n[start]\nrandom = 1\n[relaxation]\nbending_stiffness = {stiffness}\n"));
             let mut simulation = Simulation::from_scene(&scene).unwrap();
             let report = simulation.relax(None, &mut Unobserved).unwrap().report;
             let what = format!("{mesh} with {stiffness}: {:.4}", report.l2_length_error);

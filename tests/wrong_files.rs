@@ -76,7 +76,10 @@ fn a_mesh_by_another_name() {
     }
     refused(folder.path(), &["check", "absent.obj"], &["there is no such file"]);
     // A scene is one whatever its ending is.
-    for (name, text) in [("scene", "# a ball\n\n[mesh]\nshape = 'sphere'\nsubdivisions = 2\n"), ("s.txt", "mesh = { shape = 'sphere', subdivisions = 2 }\n")] {
+    for (name, text) in [
+        ("scene", "# a ball\n\n[mesh]\nshape = 'sphere'\nsubdivisions = 2\n"),
+        ("s.txt", "mesh = { shape = 'sphere', subdivisions = 2 }\n"),
+    ] {
         fs::write(folder.path().join(name), text).unwrap();
         let (code, _, err) = program(folder.path(), &["check", name]);
         assert_eq!((code, err.as_str()), (0, ""), "{name}");
@@ -92,7 +95,11 @@ fn folders_and_files_in_place_of_each_other() {
     assert_eq!(code, 0, "{err}");
     refused(folder.path(), &["check", "."], &["it is a folder", "ball.toml"]);
     refused(folder.path(), &["run", "renders"], &["it is a folder", "immerse new"]);
-    refused(folder.path(), &["render", "renders/ball"], &["it is the folder of a film", "immerse inspect renders/ball"]);
+    refused(
+        folder.path(),
+        &["render", "renders/ball"],
+        &["it is the folder of a film", "immerse inspect renders/ball"],
+    );
     refused(folder.path(), &["inspect", "ball.toml"], &["it is a file", "renders/ball"]);
     refused(folder.path(), &["inspect", "renders/ball/000001.png"], &["it is a file", "which is renders/ball"]);
     refused(folder.path(), &["inspect", "renders/ball/frames/000001.npz"], &["it is a file", "which is renders/ball"]);
@@ -133,7 +140,8 @@ fn a_hundred_thousand_mistakes() {
     let folder = TempDir::new().unwrap();
     let text = "[clock]\n".to_owned() + &lines(&|k| format!("frmes{k} = {k}\n"));
     fs::write(folder.path().join("many.toml"), &text).unwrap();
-    fs::write(folder.path().join("line.toml"), format!("clock = {{ {} x = 1 }}", lines(&|k| format!("k{k} = 1, ")))).unwrap();
+    fs::write(folder.path().join("line.toml"), format!("clock = {{ {} x = 1 }}", lines(&|k| format!("k{k} = 1, "))))
+        .unwrap();
     for name in ["many.toml", "line.toml"] {
         let start = Instant::now();
         let (code, _, err) = program(folder.path(), &["check", name]);
@@ -165,6 +173,7 @@ fn paths_of_windows_want_single_quotes() {
         ("look", "matcap", r"C:\temp\new.png"),
     ] {
         let message = wrong(&format!("[{section}]\n{key} = \"{path}\"\n"));
+        assert_eq!(message.lines().count(), 1, "one mistake: {message}");
         assert!(message.contains("single quotes") && message.contains(&format!("'{path}'")), "{path}: {message}");
         let text = format!("[{section}]\n{key} = '{path}'\n");
         if let Err(errors) = Scene::parse(&text, "test", "".as_ref()) {

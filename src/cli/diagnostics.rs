@@ -61,7 +61,8 @@ const LONGEST_LINE: usize = 1000;
 impl Snippet<'_> {
     fn is_in_a_long_line(&self) -> bool {
         let (start, _) = self.mistake.span;
-        let [before, after] = self.mistake.text.as_bytes().split_at_checked(start).map_or([&[][..]; 2], |(a, b)| [a, b]);
+        let [before, after] =
+            self.mistake.text.as_bytes().split_at_checked(start).map_or([&[][..]; 2], |(a, b)| [a, b]);
         let before = before.iter().rev().take_while(|&&b| b != b'\n').take(LONGEST_LINE + 1).count();
         before + after.iter().take_while(|&&b| b != b'\n').take(LONGEST_LINE + 1).count() > LONGEST_LINE
     }

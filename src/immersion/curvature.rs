@@ -94,13 +94,7 @@ const FARTHEST: f64 = 3.3;
 
 /// The value at a vertex of the linear function, in its tangent plane, that is closest to the values around, weighted
 /// by the inverse square of the distance. `None` if there are none, or no plane.
-fn extrapolated(
-    mesh: &Mesh,
-    positions: &[DVec3],
-    normal: DVec3,
-    values: &[Option<f64>],
-    v: VertexId,
-) -> Option<f64> {
+fn extrapolated(mesh: &Mesh, positions: &[DVec3], normal: DVec3, values: &[Option<f64>], v: VertexId) -> Option<f64> {
     let normal = normal.try_normalize()?;
     let across = normal.any_orthonormal_vector();
     let axes = [across, normal.cross(across)];

@@ -292,7 +292,8 @@ impl Mesh {
     /// First Betti number, that of generators: twice the genus of each component and its boundary loops but one.
     pub fn betti(&self) -> usize {
         let components = self.components();
-        let has_boundary = |faces: &&Vec<FaceId>| faces.iter().any(|f| f.halfedges().iter().any(|h| self.twin(*h).is_none()));
+        let has_boundary =
+            |faces: &&Vec<FaceId>| faces.iter().any(|f| f.halfedges().iter().any(|h| self.twin(*h).is_none()));
         2 * self.genus() + self.boundary_loops().len() - components.iter().filter(has_boundary).count()
     }
 

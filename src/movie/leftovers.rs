@@ -2,7 +2,7 @@
 
 use std::{
     fs::{self, File},
-    io::{self, Read},
+    io::{self, Read, Seek, SeekFrom},
     path::Path,
 };
 
@@ -40,6 +40,7 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
         }
     }
     names.sort();
+    leftovers.removed.extend(cache.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
     for name in names {
         let path = folder.join(&name);
@@ -95,13 +96,18 @@ impl Picture {
     }
 }
 
-/// Bytes from the start of a file among which it says who made it.
+/// Bytes from the start of a file, or its end, among which it says who made it.
 const HEAD: u64 = 64 << 10;
+const TAIL: i64 = 256;
 
 /// The fingerprint of the film that a file is of, if it says so; `None` if this program did not make it.
 fn made_for(path: &Path) -> Option<Option<u32>> {
     let mut head = Vec::new();
-    File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).ok()?;
+    let mut file = File::open(path).ok()?;
+    file.by_ref().take(HEAD).read_to_end(&mut head).ok()?;
+    if file.seek(SeekFrom::End(-TAIL)).is_ok() {
+        file.read_to_end(&mut head).ok()?;
+    }
     let after = |word: &[u8]| head.windows(word.len()).position(|window| window == word).map(|at| at + word.len());
     after(b"immerse ")?;
     let hash = [&b"Scene hash"[..], b"sceneHash"].into_iter().find_map(after).and_then(|start| {

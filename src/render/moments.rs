@@ -26,8 +26,7 @@ impl Default for Moments {
 impl Moments {
     /// Of weighted points.
     pub fn of(points: impl Iterator<Item = (DVec3, f64)> + Clone) -> Moments {
-        let (weight, sum) =
-            points.clone().fold((0.0, DVec3::ZERO), |(weight, sum), (p, w)| (weight + w, sum + p * w));
+        let (weight, sum) = points.clone().fold((0.0, DVec3::ZERO), |(weight, sum), (p, w)| (weight + w, sum + p * w));
         if weight <= 0.0 {
             return Moments::default();
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
-use super::foreign::{foreign_content, foreign_ending, folder_that_is_no_scene};
+use super::foreign::{folder_that_is_no_scene, foreign_content, foreign_ending};
 use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
@@ -27,7 +27,8 @@ impl Scene {
             reason,
             remedy: remedy.to_owned(),
         };
-        let foreign = |(reason, remedy): (String, String)| SceneErrors::Unreadable { path: path.to_owned(), reason, remedy };
+        let foreign =
+            |(reason, remedy): (String, String)| SceneErrors::Unreadable { path: path.to_owned(), reason, remedy };
         if path.is_dir() {
             return Err(foreign(folder_that_is_no_scene(path)));
         }
@@ -133,7 +134,8 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
         // What a broken text means is a guess, so nothing else is said about it.
         let listed = syntax_errors.iter().take(LISTED);
         let mut mistakes: Vec<_> = listed.map(|error| syntax_error(&source, error)).collect();
-        mistakes.dedup();
+        // A path of Windows has several escapes.
+        mistakes.dedup_by(|a, b| a.line == b.line && a.remedy == b.remedy);
         if let Some(last) = mistakes.last_mut() {
             last.more = syntax_errors.len().saturating_sub(LISTED);
         }

@@ -5,12 +5,11 @@ use std::path::Path;
 /// Endings of meshes that scenes can name.
 const MESHES: [&str; 4] = ["obj", "ply", "off", "stl"];
 const OTHER_MODELS: [&str; 24] = [
-    "gltf", "glb", "fbx", "dae", "3ds", "3mf", "blend", "usd", "usda", "usdc", "usdz", "vtk", "vtp", "vtu", "msh", "mesh",
-    "step", "stp", "iges", "igs", "abc", "x3d", "wrl", "ma",
+    "gltf", "glb", "fbx", "dae", "3ds", "3mf", "blend", "usd", "usda", "usdc", "usdz", "vtk", "vtp", "vtu", "msh",
+    "mesh", "step", "stp", "iges", "igs", "abc", "x3d", "wrl", "ma",
 ];
-const PICTURES: [&str; 14] = [
-    "png", "apng", "jpg", "jpeg", "gif", "exr", "tif", "tiff", "bmp", "webp", "svg", "hdr", "mp4", "mov",
-];
+const PICTURES: [&str; 14] =
+    ["png", "apng", "jpg", "jpeg", "gif", "exr", "tif", "tiff", "bmp", "webp", "svg", "hdr", "mp4", "mov"];
 const TABLES: [&str; 2] = ["csv", "tsv"];
 const ARRAYS: [&str; 2] = ["npz", "npy"];
 
@@ -94,7 +93,8 @@ fn foreign_text(path: &Path, text: &str) -> Option<Sentence> {
         _ => false,
     };
     let is_off = word.ends_with("OFF") && word.bytes().all(|b| b.is_ascii_uppercase() || b == b'4');
-    let is_stl = word.eq_ignore_ascii_case("solid") && lines.clone().any(|line| line.to_lowercase().starts_with("facet"));
+    let is_stl =
+        word.eq_ignore_ascii_case("solid") && lines.clone().any(|line| line.to_lowercase().starts_with("facet"));
     let is_table = first.parse::<f64>().is_ok() || (word.parse::<f64>().is_ok() && numbers > 0) || is_row(first);
     if is_obj || is_off || is_stl || word == "ply" {
         Some(a_mesh(path))
@@ -114,7 +114,8 @@ fn is_row(line: &str) -> bool {
 /// What to name in place of a folder.
 pub(super) fn folder_that_is_no_scene(path: &Path) -> Sentence {
     if path.join("manifest.json").is_file() {
-        let remedy = format!("name the scene file, or see what the film is worth with immerse inspect {}", path.display());
+        let remedy =
+            format!("name the scene file, or see what the film is worth with immerse inspect {}", path.display());
         return ("it is the folder of a film, not a scene".into(), remedy);
     }
     let mut scenes: Vec<String> = std::fs::read_dir(path)

@@ -58,7 +58,11 @@ fn relaxation(table: &mut Table) -> RelaxationSection {
 
 fn phase(table: &mut Table) -> PhaseSection {
     let default = PhaseSection::default();
-    let like = table.choice("like", "\"default\": all default phases, with what else stands here changed in each.", &[("default", ())]);
+    let like = table.choice(
+        "like",
+        "\"default\": all default phases, with what else stands here changed in each.",
+        &[("default", ())],
+    );
     let index = table
         .key("index", "The default phase, counted from 1, that is changed by what else stands here; all others stay.")
         .at_least(1.0)
@@ -175,7 +179,10 @@ fn film_checks(table: &mut Table) -> FilmChecksSection {
             .optional(0.01),
         max_rims: table.key("max_rims", "Bound on the number of rims of every frame.").optional(0),
         max_unconverged: table
-            .key("max_unconverged", "Bound on the number of frames that ran into the limit of steps before they settled.")
+            .key(
+                "max_unconverged",
+                "Bound on the number of frames that ran into the limit of steps before they settled.",
+            )
             .optional(0),
         max_jump: table
             .key(

@@ -102,11 +102,9 @@ impl<'a> Table<'a> {
                 Some(table) => entries.extend(table.iter()),
                 None => {
                     let reason = format!("`{name}` is {}, it must be a table", shown(value.get_ref()));
-                    self.report(
-                        value.span(),
-                        reason,
-                        || format!("write [{name}] on a line of its own, with its keys below"),
-                    );
+                    self.report(value.span(), reason, || {
+                        format!("write [{name}] on a line of its own, with its keys below")
+                    });
                 }
             }
         }
