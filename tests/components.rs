@@ -164,7 +164,8 @@ fn a_film_of_several_components_resumes() {
 fn components_without_places_stand_in_a_row() {
     let ball = shapes::sphere(1.0, 3).expect("a sphere");
     let mut pair = together(&[(&ball, 1.0, DVec3::ZERO), (&ball, 2.0, DVec3::ZERO)]);
-    pair.edge_lengths = Some(immerse::metric::lengths_of_positions(&pair.mesh, pair.positions.as_ref().expect("positions")));
+    pair.edge_lengths =
+        Some(immerse::metric::lengths_of_positions(&pair.mesh, pair.positions.as_ref().expect("positions")));
     pair.positions = None;
     let (_, frame) = relaxed(&pair, "[start]\nrandom = 0");
     let n = ball.mesh.vertex_count();

@@ -9,6 +9,7 @@ mod complex;
 mod conjugate_gradient;
 mod incomplete_cholesky;
 mod inner_product;
+mod principal_axes;
 mod strips;
 
 pub use block::Block;
@@ -18,4 +19,5 @@ pub use complex::Complex;
 pub use conjugate_gradient::{ConjugateGradient, SolveReport};
 pub use incomplete_cholesky::IncompleteCholesky;
 pub use inner_product::inner_product;
+pub use principal_axes::{principal_axes, upright_sign};
 pub use strips::BlockPattern;

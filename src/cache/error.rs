@@ -1,7 +1,7 @@
 //! Why the folder of a film cannot be read or written.
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A file or folder of the cache that is not as it must be.
 #[derive(Debug, thiserror::Error)]
@@ -15,6 +15,14 @@ pub enum CacheError {
         action: &'static str,
         /// What the system said.
         source: io::Error,
+    },
+    /// A file where the folder of a film belongs.
+    #[error("{}: it is a file, and a film is a folder; name that, {remedy}", path.display())]
+    NotAFolder {
+        /// The file.
+        path: PathBuf,
+        /// Which folder that may be.
+        remedy: String,
     },
     /// There is no manifest.
     #[error("{}: there is no film here; simulate one first, or name the folder that holds manifest.json", path.display())]
@@ -79,6 +87,21 @@ pub(super) const SIMULATE_AGAIN: &str = "run `immerse simulate` again, which com
 pub(super) const RESTART: &str = "pass --restart to `immerse simulate` to begin anew";
 
 impl CacheError {
+    /// A scene's film is in renders/<name>, unless somebody said else, and files of a film are in its folder.
+    pub(super) fn not_a_folder(path: &Path) -> CacheError {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let is_scene = path.extension().is_some_and(|ending| ending == "toml");
+        let parents = path.ancestors().skip(1);
+        let film = parents.take(2).find(|parent| parent.join("manifest.json").is_file());
+        let remedy = match film {
+            Some(folder) if folder.as_os_str().is_empty() => "which is . here".to_owned(),
+            Some(folder) => format!("which is {}", folder.display()),
+            None if is_scene => format!("such as renders/{stem}, or what --out was"),
+            None => "such as renders/NAME".to_owned(),
+        };
+        CacheError::NotAFolder { path: path.to_owned(), remedy }
+    }
+
     pub(super) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> CacheError {
         let path = path.into();
         move |source| CacheError::Io { path, action, source }

@@ -145,21 +145,10 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Io`]
     pub fn restart(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
-        let frames = folder.join("frames");
-        if frames.is_dir() {
-            let mut old = Vec::new();
-            for entry in fs::read_dir(&frames).map_err(CacheError::io(&frames, "read"))? {
-                let path = entry.map_err(CacheError::io(&frames, "read"))?.path();
-                let is_frame = frame_number(&path).is_some();
-                let ending = path.extension().and_then(|ending| ending.to_str());
-                if is_frame && matches!(ending, Some("json" | "npz")) {
-                    old.push(path);
-                }
-            }
-            // Records (.json) before states: a frame without a record is not done.
-            old.sort_by_key(|path| (path.extension().map(ToOwned::to_owned), path.clone()));
-            old.iter().try_for_each(|path| remove(path))?;
+        if folder.is_file() {
+            return Err(CacheError::not_a_folder(folder));
         }
+        frame_files(folder)?.iter().try_for_each(|path| remove(path))?;
         Cache::create(folder, film, mesh, places)
     }
 
@@ -192,9 +181,12 @@ impl Cache {
     /// Opens the folder of a film to read it.
     ///
     /// # Errors
-    /// [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
+    /// [`CacheError::NotAFolder`], [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
     /// the program wrote it, [`CacheError::Damaged`] if it is not what was written.
     pub fn open(folder: &Path) -> Result<Cache, CacheError> {
+        if folder.is_file() {
+            return Err(CacheError::not_a_folder(folder));
+        }
         let path = folder.join("manifest.json");
         let bytes = read(&path)?.ok_or_else(|| CacheError::NotAFilm { path: folder.to_owned() })?;
         let manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error, RESTART))?;
@@ -325,16 +317,20 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Io`]
     pub fn frames(&self) -> Result<Vec<usize>, CacheError> {
-        let folder = self.folder.join("frames");
-        let mut frames = Vec::new();
-        for entry in fs::read_dir(&folder).map_err(CacheError::io(&folder, "read"))? {
-            let path = entry.map_err(CacheError::io(&folder, "read"))?.path();
-            if path.extension().is_some_and(|ending| ending == "json") {
-                frames.extend(frame_number(&path));
-            }
-        }
-        frames.sort_unstable();
-        Ok(frames)
+        let files = frame_files(&self.folder)?;
+        let records = files.iter().filter(|path| path.extension().is_some_and(|ending| ending == "json"));
+        Ok(records.filter_map(|path| frame_number(path)).collect())
+    }
+
+    /// Removes files of frames that the film does not have, as a longer one leaves them. Returns their names.
+    ///
+    /// # Errors
+    /// [`CacheError::Io`]
+    pub fn remove_frames_beyond(&self) -> Result<Vec<String>, CacheError> {
+        let beyond = |path: &PathBuf| frame_number(path).is_some_and(|k| k == 0 || k > self.manifest.frame_count);
+        let old: Vec<PathBuf> = frame_files(&self.folder)?.into_iter().filter(beyond).collect();
+        old.iter().try_for_each(|path| remove(path))?;
+        Ok(old.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect())
     }
 
     fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), CacheError> {
@@ -364,6 +360,23 @@ impl Cache {
     fn record_path(&self, frame: usize) -> PathBuf {
         self.folder.join(format!("frames/{frame:06}.json"))
     }
+}
+
+/// The files of frames, records (.json) before states: a frame without a record is not done.
+fn frame_files(folder: &Path) -> Result<Vec<PathBuf>, CacheError> {
+    let frames = folder.join("frames");
+    let mut files = Vec::new();
+    if frames.is_dir() {
+        for entry in fs::read_dir(&frames).map_err(CacheError::io(&frames, "read"))? {
+            let path = entry.map_err(CacheError::io(&frames, "read"))?.path();
+            let ending = path.extension().and_then(|ending| ending.to_str());
+            if frame_number(&path).is_some() && matches!(ending, Some("json" | "npz")) {
+                files.push(path);
+            }
+        }
+    }
+    files.sort_by_key(|path| (path.extension().map(ToOwned::to_owned), path.clone()));
+    Ok(files)
 }
 
 fn mesh_npz(mesh: &Mesh, places: Option<&[DVec3]>) -> io::Result<Vec<u8>> {

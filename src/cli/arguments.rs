@@ -61,7 +61,13 @@ pub(super) enum Command {
         work: PathBuf,
     },
     /// Validate a scene and all it names, and touch nothing
-    Check(SceneFile),
+    Check {
+        #[command(flatten)]
+        scene: SceneFile,
+        /// Print the phases that the scene goes through, as they can be written into it
+        #[arg(long)]
+        phases: bool,
+    },
     /// Say what each computed frame is worth
     Inspect {
         /// The folder of the film

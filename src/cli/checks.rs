@@ -17,6 +17,9 @@ pub struct Check {
     pub value: Json,
     /// Whether it holds.
     pub holds: bool,
+    /// Why it does not, where the value alone does not say so.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reason: Option<String>,
 }
 
 /// Compares what a scene asks for with the reports of all frames, in order. Without a frame nothing holds.
@@ -29,7 +32,8 @@ pub fn checks_of(checks: &ChecksSection, film: &[FrameReport]) -> Vec<Check> {
         check("max_l2_length_error", checks.max_l2_length_error, last.map(|r| r.l2_length_error), at_most),
         check("max_rims", checks.max_rims, last.map(|r| r.rims), no_more),
         check("max_pinch_points", checks.max_pinch_points, last.map(|r| r.pinch_points), no_more),
-        check("class", checks.class.clone(), class_of_all(film, checks.class.as_deref()), |x, y| x == y),
+        check("class", checks.class.clone(), class_of_all(film, checks.class.as_deref()), |x, y| x == y)
+            .map(|check| Check { reason: without_class(film, checks.class.as_deref()), ..check }),
         check("max_curvature_error", checks.max_curvature_error, last.and_then(|r| r.curvature_error), at_most),
         check("max_mean_distance", checks.max_mean_distance, last.and_then(|r| r.mean_distance), at_most),
         check("max_pin_distance", checks.max_pin_distance, last.and_then(|r| r.pin_distance), at_most),
@@ -46,6 +50,7 @@ pub fn checks_of(checks: &ChecksSection, film: &[FrameReport]) -> Vec<Check> {
             at_most,
         ),
         check("film.max_rims", film_checks.max_rims, film.iter().map(|r| r.rims).max(), no_more),
+        check("film.max_unconverged", film_checks.max_unconverged, unconverged(film), no_more),
         check("film.max_jump", film_checks.max_jump, jump(film), at_most),
     ];
     list.into_iter().flatten().collect()
@@ -59,13 +64,31 @@ fn check<T: Clone + Into<Json>>(
 ) -> Option<Check> {
     let limit = limit?;
     let holds = value.as_ref().is_some_and(|value| holds(value, &limit));
-    Some(Check { name, limit: limit.into(), value: value.map_or(Json::Null, Into::into), holds })
+    Some(Check { name, limit: limit.into(), value: value.map_or(Json::Null, Into::into), holds, reason: None })
 }
 
 /// The class of the first frame that has another one than asked for, or of the last.
 fn class_of_all(film: &[FrameReport], asked: Option<&str>) -> Option<String> {
-    let other = film.iter().find(|report| Some(report.spin_class.as_str()) != asked);
-    other.or(film.last()).map(|report| report.spin_class.clone())
+    of_another_class(film, asked).or(film.last()).map(|report| report.spin_class.clone())
+}
+
+fn of_another_class<'a>(film: &'a [FrameReport], asked: Option<&str>) -> Option<&'a FrameReport> {
+    film.iter().find(|report| Some(report.spin_class.as_str()) != asked)
+}
+
+/// Says so if that frame has no class at all.
+fn without_class(film: &[FrameReport], asked: Option<&str>) -> Option<String> {
+    let FrameReport { frame, pinch_points, .. } =
+        of_another_class(film, asked).filter(|report| report.has_no_class())?;
+    let points = if *pinch_points == 1 { "point" } else { "points" };
+    Some(format!(
+        "frame {frame} has {pinch_points} pinch {points}, where it is no immersion: a surface that is pinched is in no class"
+    ))
+}
+
+/// The number of frames that ran into the limit of steps; none of no film.
+fn unconverged(film: &[FrameReport]) -> Option<usize> {
+    (!film.is_empty()).then(|| film.iter().filter(|report| report.is_unconverged()).count())
 }
 
 /// The largest move of a vertex between frames, in units of the median over the film of each frame's largest move.
@@ -87,3 +110,52 @@ fn median(film: &[FrameReport], value: fn(&FrameReport) -> f64) -> Option<f64> {
     values.sort_unstable_by(f64::total_cmp);
     values.get(values.len() / 2).copied()
 }
+
+/// One line about the frames of a film that ran into the limit of steps before they settled, if any did: which, and
+/// what to try.
+pub fn step_limit_line(film: &[FrameReport]) -> Option<String> {
+    let unconverged: Vec<&FrameReport> = film.iter().filter(|report| report.is_unconverged()).collect();
+    let (first, last) = (unconverged.first()?.frame, unconverged.last()?.frame);
+    let (count, all) = (unconverged.len(), film.len());
+    // A first frame goes through the phases, those that follow have a limit of their own.
+    let limit = match (first, last) {
+        (1, 1) => "`max_steps` of the last [[phase]]",
+        (1, _) => "`max_steps` of the last [[phase]] and under [clock]",
+        _ => "`max_steps` under [clock]",
+    };
+    let frames = ranges(unconverged.iter().map(|report| report.frame));
+    let worst = unconverged.iter().map(|report| report.l2_length_error).fold(0.0, f64::max);
+    let which = if all == 1 {
+        "the frame ran into the step limit before it settled".to_owned()
+    } else {
+        format!("{count} of {all} frames ran into the step limit before they settled ({frames})")
+    };
+    Some(format!(
+        "{which}; their length error is up to {}; raise {limit}, raise `tolerance` there, or make the film of more frames",
+        super::text_table::percent(worst)
+    ))
+}
+
+/// Frame numbers in order as in 1-20,30.
+fn ranges(frames: impl Iterator<Item = usize>) -> String {
+    let mut ranges: Vec<[usize; 2]> = Vec::new();
+    for frame in frames {
+        match ranges.last_mut() {
+            Some([_, last]) if *last + 1 == frame => *last = frame,
+            _ => ranges.push([frame, frame]),
+        }
+    }
+    let more = ranges.len().saturating_sub(SHOWN_RANGES);
+    let mut texts: Vec<String> = ranges
+        .into_iter()
+        .take(SHOWN_RANGES)
+        .map(|[first, last]| if first == last { first.to_string() } else { format!("{first}-{last}") })
+        .collect();
+    if more > 0 {
+        texts.push(format!("and {more} more stretches"));
+    }
+    texts.join(",")
+}
+
+/// Stretches of frames that are listed.
+const SHOWN_RANGES: usize = 12;

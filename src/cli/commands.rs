@@ -9,6 +9,7 @@ use clap::{CommandFactory, Parser};
 
 use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film, SceneFile};
+use super::checks::step_limit_line;
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
 use super::gallery::gallery;
@@ -17,7 +18,8 @@ use super::picture_options::PictureOptions;
 use super::pipeline::{self, PipelineError, Summary};
 use super::progress::Bar;
 use crate::cache::CacheError;
-use crate::scene::{MeshSection, Scene};
+use crate::movie::{self, Leftovers};
+use crate::scene::{MeshSection, OutputSection, Scene};
 
 /// The scene that `new` writes.
 const STARTER: &str = include_str!("starter.toml");
@@ -102,6 +104,8 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             let inspection = Inspection::of(&folder)?;
             write_curves_of_film(&folder, &inspection)?;
             progress.clear();
+            clear_leftovers(&folder, None)?;
+            say_step_limit(&inspection);
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
         Command::Render { film, pictures } => {
@@ -109,10 +113,12 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             let frames = pictures.apply(&mut scene)?;
             let summary = pipeline::render_frames(&scene, &folder, &frames, &mut progress)?;
             progress.clear();
+            clear_leftovers(&folder, Some(&scene.output))?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
-        Command::Check(file) => {
+        Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", pipeline::phases(&read(file)?)?)?),
+        Command::Check { scene: file, phases: false } => {
             let scene = read(file)?;
             for note in pipeline::check(&scene)? {
                 writeln!(out, "{note}")?;
@@ -140,6 +146,7 @@ fn read(file: &SceneFile) -> Result<Scene, Failure> {
         // Paths of a scene start in its folder, those of a command line where it is typed.
         scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));
     }
+    pipeline::count_classes(&mut scene)?;
     Ok(scene)
 }
 
@@ -159,6 +166,7 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
     let inspection = Inspection::of(&folder)?;
     write_curves_of_film(&folder, &inspection)?;
     progress.clear();
+    clear_leftovers(&folder, Some(&scene.output))?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
     inspection.write_summary(out)?;
@@ -166,7 +174,34 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
         writeln!(out)?;
         inspection.write_checks(out)?;
     }
+    say_step_limit(&inspection);
     all_is_well(&inspection)
+}
+
+/// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
+fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), PipelineError> {
+    let Leftovers { removed, older } = movie::clear_leftovers(folder, output).map_err(PipelineError::from)?;
+    let named = |names: &[String]| match names.len().saturating_sub(NAMED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names[..NAMED].join(", ")),
+    };
+    if !removed.is_empty() {
+        let (count, names) = (removed.len(), named(&removed));
+        say(format_args!("{}: removed what is not of this film ({count} files): {names}", folder.display()));
+    }
+    if !older.is_empty() {
+        let (count, names) = (older.len(), named(&older));
+        say(format_args!("{}: left from an earlier run, not made anew ({count} files): {names}", folder.display()));
+    }
+    Ok(())
+}
+
+/// Files that are listed by name.
+const NAMED: usize = 8;
+
+/// Says on standard error, in one line, which frames ran into the limit of steps.
+fn say_step_limit(inspection: &Inspection) {
+    step_limit_line(&inspection.frames).iter().for_each(|line| say(format_args!("warning: {line}")));
 }
 
 /// One frame has no curves.
@@ -195,6 +230,9 @@ fn all_is_well(inspection: &Inspection) -> Result<(), Failure> {
     let broken: Vec<&str> = inspection.checks.iter().filter(|check| !check.holds).map(|check| check.name).collect();
     if !broken.is_empty() {
         say(format_args!("error: the film does not hold to its [checks]: {}", broken.join(", ")));
+    }
+    for check in inspection.checks.iter().filter(|check| !check.holds) {
+        check.reason.iter().for_each(|reason| say(format_args!("error: {}: {reason}", check.name)));
     }
     for error in &inspection.damaged {
         say(format_args!("error: {error}"));

@@ -19,9 +19,13 @@ pub(super) fn say_scene_errors(errors: &SceneErrors) {
         SceneErrors::Mistakes(mistakes) => {
             for mistake in mistakes {
                 say(explain(mistake, io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()));
+                if mistake.more > 0 {
+                    say(format_args!("and {} more like the last one\n", mistake.more));
+                }
             }
-            if mistakes.len() > 1 {
-                say(format_args!("{} mistakes", mistakes.len()));
+            let count: usize = mistakes.iter().map(|mistake| 1 + mistake.more).sum();
+            if count > 1 {
+                say(format_args!("{count} mistakes"));
             }
         }
     }
@@ -51,9 +55,26 @@ struct Snippet<'m> {
     source: NamedSource<String>,
 }
 
+/// Lines of more bytes are not shown.
+const LONGEST_LINE: usize = 1000;
+
+impl Snippet<'_> {
+    fn is_in_a_long_line(&self) -> bool {
+        let (start, _) = self.mistake.span;
+        let [before, after] =
+            self.mistake.text.as_bytes().split_at_checked(start).map_or([&[][..]; 2], |(a, b)| [a, b]);
+        let before = before.iter().rev().take_while(|&&b| b != b'\n').take(LONGEST_LINE + 1).count();
+        before + after.iter().take_while(|&&b| b != b'\n').take(LONGEST_LINE + 1).count() > LONGEST_LINE
+    }
+}
+
 impl fmt::Display for Snippet<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.mistake.reason)
+        let SceneError { path, line, column, reason, .. } = self.mistake;
+        if self.is_in_a_long_line() {
+            write!(f, "{}:{line}:{column}: ", path.display())?;
+        }
+        write!(f, "{reason}")
     }
 }
 
@@ -65,7 +86,7 @@ impl Diagnostic for Snippet<'_> {
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        (!self.mistake.text.is_empty()).then_some(&self.source)
+        (!self.mistake.text.is_empty() && !self.is_in_a_long_line()).then_some(&self.source)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {

@@ -26,7 +26,8 @@ pub(super) fn gallery(
     fs::create_dir_all(out).map_err(|source| Failure::Folder { path: out.to_owned(), source })?;
     let mut missing = 0;
     for path in &all {
-        let poster = Scene::read(path).map_err(PipelineError::from).and_then(|scene| {
+        let poster = Scene::read(path).map_err(PipelineError::from).and_then(|mut scene| {
+            pipeline::count_classes(&mut scene)?;
             let poster = out.join(&scene.name).with_extension("png");
             let film = work.join(&scene.name);
             pipeline::poster(&scene, &film, &poster, progress)?;

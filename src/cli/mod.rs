@@ -17,7 +17,7 @@ mod progress;
 mod selections;
 mod text_table;
 
-pub use checks::{Check, checks_of};
+pub use checks::{Check, checks_of, step_limit_line};
 pub use commands::main;
 pub use curves::{curves_csv, curves_svg};
 pub use frame_range::{FrameRange, FrameRangeError};

@@ -9,11 +9,11 @@ use super::diagnostics::say;
 use super::selections::selection_notes;
 use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
-use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation};
-use crate::mesh::{longest_loops, outer_loops};
+use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation, clock_of, phase_sections};
+use crate::mesh::{self, longest_loops, outer_loops};
 use crate::movie::{self, Arrivals, MovieError, Plan};
-use crate::scene::{Scene, SceneError, SceneErrors};
-use crate::spin::SpinStructure;
+use crate::scene::{Scene, SceneError, SceneErrors, SpinSection};
+use crate::spin::{SpinError, SpinStructure, class_digits};
 
 /// Why a command did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -73,7 +73,8 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let mut simulation = set_up(scene)?;
     simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
     contradictions(scene, &simulation)?.iter().for_each(say);
-    let [width, height] = Plan::of(scene)?.size();
+    let plan = Plan::of(scene)?;
+    let [width, height] = plan.size();
     let mesh = &simulation.mesh;
     let mut notes = vec![format!(
         "{} vertices, {} edges, {} faces, genus {}, {} boundary loops, {} components",
@@ -84,6 +85,10 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
         mesh.boundary_loops().len(),
         mesh.components().len()
     )];
+    if scene.spin == SpinSection::All {
+        let frames = clock_of(scene, mesh).map_or(1, |clock| clock.frames);
+        notes.push(format!("{frames} frames, one for each of the first so many of 2^{} classes", mesh.betti()));
+    }
     let class = simulation.spin().class(mesh, &simulation.metric, &simulation.homology);
     for (k, (generator, q)) in simulation.homology.generators().iter().zip(class).enumerate() {
         notes.push(format!(
@@ -102,8 +107,10 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
         notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices{names}", cycle.len()));
     }
     notes.extend(selection_notes(scene, mesh, places));
+    notes.extend(simulation.class_of_start().map(|start| start_and_target(start, &simulation)));
     notes.extend(simulation.repairs.iter().cloned());
     notes.push(format!("pictures of {width} x {height} pixels"));
+    notes.extend(plan.notes());
     Ok(notes)
 }
 
@@ -121,6 +128,55 @@ fn names_of_loop(k: usize, outer: &[usize], longest: &[usize]) -> String {
 fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
     let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
     Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
+}
+
+/// The phases of a scene as they can be pasted into one, where they replace the default ones and change nothing.
+pub(super) fn phases(scene: &Scene) -> Result<String, PipelineError> {
+    let simulation = set_up(scene)?;
+    let phases = phase_sections(scene, simulation.mesh.face_count())
+        .map_err(|error| complaint(scene, &error.key, &error.error.to_string()))?;
+    let count = phases.len();
+    let mut text = format!("# The {count} phases of {}.", scene.name);
+    if scene.clock.frames > 1 {
+        text += " Frames that follow in a film take the last one, with the tolerance and\n# max_steps of [clock].";
+    }
+    text.push('\n');
+    for (k, phase) in phases.iter().enumerate() {
+        text += &format!("\n# phase {} of {count}\n{phase}", k + 1);
+    }
+    Ok(text)
+}
+
+/// Whether what frames start from and what they go to are in one class. A film cannot pass from one to another.
+fn start_and_target(start: Result<Vec<bool>, SpinError>, simulation: &Simulation) -> String {
+    let target = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
+    match start {
+        Ok(start) if start != target => format!(
+            "start and target are not in one class: the start is in {}, the target in {}, so rims or pinch points will \
+             stay; write class = {:?}, or start from another shape",
+            class_digits(&start),
+            class_digits(&target),
+            class_digits(&start)
+        ),
+        Ok(_) if target.is_empty() => "start and target are in one class, there is no other".to_owned(),
+        Ok(_) => format!("start and target are in one class, {}", class_digits(&target)),
+        Err(SpinError::NotAnImmersion { pinch_points }) => format!(
+            "the start is in no class: {pinch_points} of its vertex stars are figure-8, so it is no immersion; start \
+             from a shape without, or expect that rims resolve on the way"
+        ),
+        Err(error) => error.to_string(),
+    }
+}
+
+/// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
+pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
+    if scene.clock.a_frame_for_each_class {
+        let surface = mesh::of_scene(scene);
+        let surface = surface.map_err(|error| complaint(scene, "mesh", &error.to_string()))?;
+        scene.clock =
+            clock_of(scene, &surface.mesh).map_err(|error| complaint(scene, error.key(), &error.to_string()))?;
+    }
+    Ok(())
 }
 
 /// The simulation of a scene; what is at fault is shown where the scene names it.

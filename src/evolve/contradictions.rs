@@ -44,8 +44,11 @@ impl Simulation {
         let mut program = self.course.program.clone();
         let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
         let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
-        let times =
-            if program.changes() || self.course.pins.changes() { self.clock.times().collect() } else { vec![self.time] };
+        let times = if program.changes() || self.course.pins.changes() {
+            self.clock.times().collect()
+        } else {
+            vec![self.time]
+        };
         for time in times {
             let (lengths, paths) = match known.take() {
                 Some(known) if !program.changes() => known,

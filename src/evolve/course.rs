@@ -63,10 +63,8 @@ impl Course {
     /// The metric of a component.
     pub fn metric_of(&mut self, component: &Component, time: f64) -> Result<Arc<Metric>, EvolveError> {
         let whole = self.metric(time)?.metric.clone();
-        metric_of(component, &whole).map_err(|error| EvolveError::Metric {
-            time,
-            error: AtKey { key: "metric".to_owned(), error },
-        })
+        metric_of(component, &whole)
+            .map_err(|error| EvolveError::Metric { time, error: AtKey { key: "metric".to_owned(), error } })
     }
 
     /// The target bending angles of a component in radians, one per edge; `None` for a shell that is flat at rest.

@@ -1,10 +1,11 @@
 //! Why a simulation cannot start or ends early.
 
+use super::PhaseError;
 use crate::algebra::CholeskyError;
 use crate::immersion::{BendingError, PinError, StartError};
 use crate::mesh::MeshError;
 use crate::metric::MetricError;
-use crate::scene::AtKey;
+use crate::scene::{AtKey, ClockSection};
 use crate::spin::SpinError;
 use crate::timeline::TimelineError;
 
@@ -32,6 +33,9 @@ pub enum SetupError {
     /// Its target bending angles.
     #[error("{}", .0.error)]
     Bending(#[from] AtKey<BendingError>),
+    /// Its phases.
+    #[error("{}", .0.error)]
+    Phase(#[from] AtKey<PhaseError>),
     /// `class = "all"` with too many frames.
     #[error(
         "there are {frames} frames for the classes of {betti} generators, one each; lower `frames` to 2 to the power \
@@ -40,6 +44,16 @@ pub enum SetupError {
     MoreFramesThanClasses {
         /// What the clock says.
         frames: usize,
+        /// Number of generators.
+        betti: usize,
+    },
+    /// `class = "all"` with more classes than there can be frames.
+    #[error(
+        "there are 2 to the power of {betti} classes, and a film has at most {most} frames; write `frames` under [clock] \
+         for the first so many of them",
+        most = ClockSection::MOST_FRAMES
+    )]
+    TooManyClasses {
         /// Number of generators.
         betti: usize,
     },
@@ -56,12 +70,13 @@ impl SetupError {
             SetupError::Mesh(_) => "mesh",
             SetupError::Poisson(_) => "metric",
             SetupError::MoreFramesThanClasses { .. } => "clock.frames",
-            SetupError::Spin(_) => "spin.class",
+            SetupError::Spin(_) | SetupError::TooManyClasses { .. } => "spin.class",
             SetupError::Parameter(at) => &at.key,
             SetupError::Metric(at) => &at.key,
             SetupError::Pin(at) => &at.key,
             SetupError::Start(at) => &at.key,
             SetupError::Bending(at) => &at.key,
+            SetupError::Phase(at) => &at.key,
         }
     }
 }

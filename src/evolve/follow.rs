@@ -52,13 +52,7 @@ impl Relaxation {
     }
 
     /// How many parts the way to the metric of a time is to be cut into.
-    fn parts_to(
-        &self,
-        course: &Course,
-        time: f64,
-        there: &Metric,
-        max_strain: f64,
-    ) -> Result<usize, EvolveError> {
+    fn parts_to(&self, course: &Course, time: f64, there: &Metric, max_strain: f64) -> Result<usize, EvolveError> {
         let mean_length = self.metric.edge_lengths().iter().sum::<f64>() / self.component.mesh.edge_count() as f64;
         let shift = course.pins_of(&self.component, time)?;
         let longest = shift.iter().zip(&self.places).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);

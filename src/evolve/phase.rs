@@ -1,7 +1,7 @@
 //! The schedule of a relaxation: ε, Δt and feedback by stages (Eq. 21).
 
 use crate::frames::{Method, StepOptions};
-use crate::scene::{MethodName, PhaseSection, StartFrom};
+use crate::scene::{AtKey, MethodName, PhaseSection, Scene, StartFrom};
 
 /// One stage: steps of one kind until frames stand still.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,15 +84,109 @@ const FASTER: f64 = 1.5;
 const SHORTEST_STEP: f64 = 0.1;
 const LONGEST_STEP: f64 = 1e3;
 
-/// The stages of a scene, or the default ones of a surface with so many faces. Frames that start from positions are near
-/// to where they belong; they need only the last stage, and the stiffness of the earlier ones would iron out what the
-/// positions say.
-pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom, faces: usize) -> Vec<Phase> {
-    match start {
-        _ if !sections.is_empty() => sections.iter().map(Phase::from_scene).collect(),
-        StartFrom::Random(_) | StartFrom::Spectral => default_phases(faces),
-        StartFrom::Mesh | StartFrom::Mirror | StartFrom::File(_) => vec![Phase::from_scene(&PhaseSection::default())],
+/// Why a scene has no phases.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[allow(missing_docs)] // the fields are what the messages say they are
+pub enum PhaseError {
+    #[error(
+        "there is no default phase {index}: {}; write `index` from 1 to {count}",
+        if *count == 1 { "frames that start from a shape have but one".to_owned() } else { format!("there are {count}") }
+    )]
+    NoSuchPhase { index: usize, count: usize },
+    #[error("default phase {index} is changed twice; write both changes into one [[phase]]")]
+    Twice { index: usize },
+    #[error("all default phases are changed twice; write both changes into one [[phase]], or give one an `index`")]
+    AllTwice,
+    #[error(
+        "this [[phase]] is a new one, and others change default phases by `index`, so its place is not known; give it an \
+         `index`, or give none"
+    )]
+    Mixed,
+    #[error("`min_steps` of default phase {index} is then {least}, more than its `max_steps`, {most}; change both")]
+    Steps { index: usize, least: usize, most: usize },
+    #[error(
+        "`bending_stiffness` and `epsilon` of the last [[phase]] both say how stiff bending is in the end; remove one of \
+         them"
+    )]
+    TwoStiffnesses,
+}
+
+/// The stages of a scene on a surface with so many faces, with every key. Without any of its own they are the default
+/// ones, which its `[[phase]]` may change. Frames that start from positions are near to where they belong; they need only
+/// the last stage, and the stiffness of the earlier ones would iron out what the positions say.
+///
+/// # Errors
+/// [`PhaseError`] with the key of the scene that is at fault.
+pub fn phase_sections(scene: &Scene, faces: usize) -> Result<Vec<PhaseSection>, AtKey<PhaseError>> {
+    let defaults = match scene.start.from {
+        StartFrom::Random(_) | StartFrom::Spectral => default_sections(faces),
+        StartFrom::Mesh | StartFrom::Mirror | StartFrom::File(_) => vec![PhaseSection::default()],
+    };
+    let mut phases = if scene.phases.is_empty() { defaults } else { changed(&scene.phases, defaults)? };
+    if let (Some(stiffness), Some((last, earlier))) = (scene.relaxation.bending_stiffness, phases.split_last_mut()) {
+        let is_of_last = |(k, section): (usize, &PhaseSection)| match &section.like {
+            None => k + 1 == scene.phases.len(),
+            Some(like) => like.index.is_none_or(|index| index == earlier.len() + 1),
+        };
+        let says_epsilon = |k: usize| scene.source.locate(&format!("phase[{k}].epsilon")).is_some();
+        let is_said_twice = (0..).zip(&scene.phases).any(|(k, section)| is_of_last((k, section)) && says_epsilon(k));
+        if is_said_twice && last.epsilon[1] != stiffness {
+            return Err(AtKey { key: "relaxation.bending_stiffness".into(), error: PhaseError::TwoStiffnesses });
+        }
+        last.epsilon[1] = stiffness;
+        earlier.iter_mut().for_each(|phase| phase.epsilon[1] = phase.epsilon[1].max(stiffness));
     }
+    Ok(phases)
+}
+
+/// What the sections of a scene make of the default phases.
+fn changed(sections: &[PhaseSection], defaults: Vec<PhaseSection>) -> Result<Vec<PhaseSection>, AtKey<PhaseError>> {
+    let at = |k: usize, key: &str, error| Err(AtKey { key: format!("phase[{k}]{key}"), error });
+    let index = |section: &PhaseSection| section.like.as_ref().and_then(|like| like.index);
+    let count = defaults.len();
+    let mut all_like = sections.iter().enumerate().filter(|(_, s)| s.like.is_some() && index(s).is_none());
+    if let Some((k, _)) = all_like.nth(1) {
+        return at(k, ".like", PhaseError::AllTwice);
+    }
+    let has_index = sections.iter().any(|section| index(section).is_some());
+    let mut phases = if has_index { defaults.clone() } else { Vec::new() };
+    let mut seen = vec![false; count];
+    // What is said of all holds first, and what is said of one in place of it.
+    let ordered = |k: &usize| (index(&sections[*k]).is_some(), *k);
+    let mut order: Vec<usize> = (0..sections.len()).collect();
+    order.sort_by_key(|k| if has_index { ordered(k) } else { (false, *k) });
+    for k in order {
+        let section = &sections[k];
+        match (&section.like, index(section)) {
+            (None, _) if has_index => return at(k, "", PhaseError::Mixed),
+            (None, _) => phases.push(section.clone()),
+            (Some(_), None) if has_index => phases.iter_mut().for_each(|phase| *phase = section.over(phase)),
+            (Some(_), None) => phases.extend(defaults.iter().map(|phase| section.over(phase))),
+            (Some(_), Some(index)) => match phases.get_mut(index - 1) {
+                None => return at(k, ".index", PhaseError::NoSuchPhase { index, count }),
+                Some(_) if std::mem::replace(&mut seen[index - 1], true) => {
+                    return at(k, ".index", PhaseError::Twice { index });
+                }
+                Some(phase) => *phase = section.over(phase),
+            },
+        }
+    }
+    match phases.iter().position(|phase| phase.min_steps > phase.max_steps) {
+        None => Ok(phases),
+        Some(p) => {
+            let (least, most) = (phases[p].min_steps, phases[p].max_steps);
+            let k = sections.iter().position(|section| index(section) == Some(p + 1)).unwrap_or(0);
+            at(k, "", PhaseError::Steps { index: p + 1, least, most })
+        }
+    }
+}
+
+/// As [`phase_sections`], ready to be gone through.
+///
+/// # Errors
+/// Those of [`phase_sections`].
+pub fn phases_from_scene(scene: &Scene, faces: usize) -> Result<Vec<Phase>, AtKey<PhaseError>> {
+    Ok(phase_sections(scene, faces)?.iter().map(Phase::from_scene).collect())
 }
 
 /// The stages that work from random frames on spheres, tori of every class, disks and bunnies alike.
@@ -110,9 +204,13 @@ pub fn phases_from_scene(sections: &[PhaseSection], start: &StartFrom, faces: us
 /// steps: under full feedback a surface comes to rest between one step of bending and one projection, so what is left
 /// of the length error is in proportion to Δt.
 pub fn default_phases(faces: usize) -> Vec<Phase> {
+    default_sections(faces).iter().map(Phase::from_scene).collect()
+}
+
+fn default_sections(faces: usize) -> Vec<PhaseSection> {
     let shaping = PhaseSection { dt: 100.0, crease: 0.0, accelerate: false, ..PhaseSection::default() };
     let bending = PhaseSection { dt: 30.0, tolerance: 0.1, max_steps: 100, ..PhaseSection::default() };
-    [
+    vec![
         PhaseSection {
             epsilon: [1.0, 1.0, 1.0, 1.0],
             dt: SMOOTHING_SHARE * faces as f64,
@@ -135,9 +233,6 @@ pub fn default_phases(faces: usize) -> Vec<Phase> {
         PhaseSection { epsilon: [1.0, 1e-3, 1.0, 0.1], ..bending },
         PhaseSection::default(),
     ]
-    .iter()
-    .map(Phase::from_scene)
-    .collect()
 }
 
 /// Δt of the first stage as a share of the area of the surface.

@@ -4,7 +4,7 @@ use super::follow::strain;
 use super::places::{BendingSums, worst_places};
 use super::relaxation::Relaxation;
 use super::simulation::Previous;
-use super::{ComponentReport, Cursor, Frame, FrameReport, Simulation};
+use super::{ComponentReport, Cursor, Frame, FrameReport, NO_CLASS, Pace, Simulation};
 use crate::frames::energy;
 use crate::immersion::*;
 use crate::mesh::{EdgeId, Mesh, VertexId};
@@ -36,20 +36,26 @@ impl Simulation {
             rims: rims.len(),
             rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
             pinch_points: pinch_points.len(),
-            spin_class: class_digits(&class),
+            spin_class: if pinch_points.is_empty() { class_digits(&class) } else { NO_CLASS.into() },
             energy: sum(|part| part.energy),
             period_error: (sum(|part| part.periods[0]) / sum(|part| part.periods[1])).sqrt(),
             curvature_error: self.curvature_error,
-            mean_distance: parts.iter().all(|part| part.mean_distance.is_some()).then(|| {
-                sum(|part| part.area * part.mean_distance.unwrap_or_default()) / sum(|part| part.area)
-            }),
+            mean_distance: parts
+                .iter()
+                .all(|part| part.mean_distance.is_some())
+                .then(|| sum(|part| part.area * part.mean_distance.unwrap_or_default()) / sum(|part| part.area)),
             pin_distance: parts.iter().filter_map(|part| part.pin_distance).reduce(f64::max),
             enclosed_volume: enclosed_volume(mesh, &positions),
             largest_dent: parts.iter().map(|part| part.dent).reduce(|a, b| Some(a?.max(b?))).flatten(),
-            bending_error: parts.iter().filter_map(|part| part.bending).reduce(BendingSums::with).map(|sums| sums.error()),
+            bending_error: parts
+                .iter()
+                .filter_map(|part| part.bending)
+                .reduce(BendingSums::with)
+                .map(|sums| sums.error()),
             places: worst_places(mesh, metric, &positions, &rims, &pinch_points),
             cursor: Cursor::of_all(&cursors),
             converged: self.components.iter().all(Relaxation::has_converged),
+            on_the_way: matches!(self.pace, Pace::Steps(_)) && self.components.iter().any(Relaxation::is_on_the_way),
             ..FrameReport::default()
         };
         if parts.len() > 1 {

@@ -122,7 +122,8 @@ impl Relaxation {
         if tangles > 0 && self.cursor.restarts < MAX_RESTARTS {
             self.cursor = Cursor { restarts: self.cursor.restarts + 1, ..self.cursor.at_start_of(0) };
             // Seeds of restarts are far from those that users write.
-            self.face_frames = random_frames(self.component.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
+            self.face_frames =
+                random_frames(self.component.mesh.face_count(), seed ^ (self.cursor.restarts as u64) << 32);
         } else if let Some((_, frames)) = self.fewest_rims.take() {
             self.face_frames = frames;
         }

@@ -80,13 +80,13 @@ pub(super) struct Beginning<'a> {
 }
 
 impl Relaxation {
-    /// Lines 1 to 6 of Algorithm 2. `phases` are those for a mesh with so many faces.
+    /// Lines 1 to 6 of Algorithm 2, with the phases of a component of so many faces.
     pub fn new(
         component: Component,
         [number, of]: [usize; 2],
         beginning: &Beginning,
         course: &Course,
-        phases: impl Fn(usize) -> Vec<Phase>,
+        phases: impl Fn(usize) -> Result<Vec<Phase>, SetupError>,
     ) -> Result<Relaxation, SetupError> {
         let Beginning { start, time, .. } = *beginning;
         let mesh = component.mesh.clone();
@@ -98,7 +98,7 @@ impl Relaxation {
         let spin = SpinStructure::from_transports(component.edges.pick(beginning.spin.transports()));
         let angles = course.angles_of(&component, time)?;
         let places = course.pins_of(&component, time)?;
-        let phases = phases(mesh.face_count());
+        let phases = phases(mesh.face_count())?;
         let stepper = |shell: &Shell| {
             let mut stepper = Stepper::new(shell);
             phases.first().inspect(|first| stepper.prepare(shell, &first.step));
@@ -149,6 +149,11 @@ impl Relaxation {
         (self.face_frames, _) = frames_of(&self.start, &mesh, &self.metric, &self.parts.shell, self.shape.as_deref());
         self.cursor = Cursor::default();
         Ok(())
+    }
+
+    /// Whether some phases are not done.
+    pub fn is_on_the_way(&self) -> bool {
+        self.cursor.phase < self.phases.len()
     }
 
     /// Whether all phases are done and the last one met its tolerance.

@@ -122,7 +122,8 @@ pub struct FrameReport {
     pub rim_length: f64,
     /// Number of interior vertices with figure-8 star (Sec. 2.2).
     pub pinch_points: usize,
-    /// q_f on every generator, as digits, measured on the positions.
+    /// q_f on every generator, as digits, measured on the positions; [`NO_CLASS`] while there are pinch points, because a
+    /// surface that is pinched is no immersion and in no class.
     pub spin_class: String,
     /// Energy of the frames (Eq. 20) with the last phase's ε.
     pub energy: f64,
@@ -180,6 +181,24 @@ pub struct FrameReport {
     pub seconds: f64,
     /// Whether all phases are done and the last one met its tolerance, in every component.
     pub converged: bool,
+    /// Whether this is a frame of a film of the relaxation that is not over: it was not to converge yet.
+    #[serde(default)]
+    pub on_the_way: bool,
+}
+
+/// In place of the class of a surface that has none.
+pub const NO_CLASS: &str = "—";
+
+impl FrameReport {
+    /// Whether the frame was to converge and ran into the limit of steps.
+    pub fn is_unconverged(&self) -> bool {
+        !self.converged && !self.on_the_way
+    }
+
+    /// Whether the surface is pinched, so that it has no class.
+    pub fn has_no_class(&self) -> bool {
+        self.spin_class == NO_CLASS
+    }
 }
 
 impl FrameReport {

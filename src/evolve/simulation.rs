@@ -1,14 +1,15 @@
 //! Algorithm 2 in time: a surface whose metric changes, frame by frame.
 
+use super::classes::{clock_of, digit};
 use super::course::{Course, metric_of};
 use super::relaxation::{Beginning, Relaxation};
 use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
 use crate::algebra::Complex;
-use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene};
+use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene, spin_of_immersion};
 use crate::mesh::{self, Component, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricAt, MetricProgram};
-use crate::scene::{AtKey, Scene, SpinSection, StartFrom, StartSection};
-use crate::spin::{Homology, SpinStructure};
+use crate::scene::{AtKey, Scene, StartFrom, StartSection};
+use crate::spin::{Homology, SpinError, SpinStructure};
 use crate::timeline::{Clock, Parameters};
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
@@ -26,6 +27,8 @@ pub struct Simulation {
     pub metric: Arc<Metric>,
     /// Generators of the homology.
     pub homology: Arc<Homology>,
+    /// Positions that frames start from, |V|, if they do.
+    shape: Option<Vec<DVec3>>,
     /// Positions of the mesh, |V|, if it has any.
     pub(super) mesh_positions: Option<Vec<DVec3>>,
     /// The components, each relaxed on its own.
@@ -97,7 +100,8 @@ impl Simulation {
     pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
         let parameters = Parameters::from_scene(&scene.parameters)
             .map_err(|(name, error)| AtKey { key: format!("parameters.{name}"), error })?;
-        let clock = Clock::from_scene(&scene.clock);
+        let section = clock_of(scene, &surface.mesh)?;
+        let clock = Clock::from_scene(&section);
         let time = clock.time(1);
         let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
         let now = program.at(&surface.mesh, time)?;
@@ -117,9 +121,6 @@ impl Simulation {
         let metric = Arc::new(metric);
         let homology = Arc::new(Homology::new(&mesh, &metric));
         let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, mesh_positions.as_deref())?;
-        if scene.spin == SpinSection::All && scene.clock.frames > 1 << homology.betti().min(60) {
-            return Err(SetupError::MoreFramesThanClasses { frames: scene.clock.frames, betti: homology.betti() });
-        }
         let course = Course::new(mesh.clone(), program, bending, pins, (time, metric.clone(), curvature_error));
         let beginning = Beginning {
             spin: &spin,
@@ -130,10 +131,10 @@ impl Simulation {
             start: &scene.start.from,
             orientation: scene.start.orientation,
             is_smooth: starts_smooth(scene),
-            accuracy: scene.clock.accuracy,
+            accuracy: section.accuracy,
             time,
         };
-        let phases = |faces| phases_from_scene(&scene.phases, &scene.start.from, faces);
+        let phases = |faces| Ok(phases_from_scene(scene, faces)?);
         let components = Component::all_of(&mesh);
         let of = components.len();
         let components = components
@@ -147,11 +148,12 @@ impl Simulation {
             mesh_places,
             metric,
             homology,
+            shape,
             mesh_positions,
             components,
-            pace: Pace::from_scene(&scene.clock, &scene.spin, course.changes()),
-            course,
             clock,
+            pace: Pace::from_scene(&section, &scene.spin, course.changes()),
+            course,
             frame: 0,
             time,
             curvature_error,
@@ -215,10 +217,18 @@ impl Simulation {
         Ok(self.frame_now())
     }
 
+    /// The class of the positions that frames start from, as q on every generator; `None` where they come from none. The
+    /// error is [`SpinError::NotAnImmersion`] where those are in no class.
+    pub fn class_of_start(&self) -> Option<Result<Vec<bool>, SpinError>> {
+        let Simulation { mesh, metric, homology, .. } = self;
+        let spin = spin_of_immersion(mesh, metric, self.shape.as_deref()?);
+        Some(spin.map(|spin| spin.class(mesh, metric, homology)))
+    }
+
     /// Starts over in the class with this number, the last generator being its last binary digit.
     fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
         let betti = self.homology.betti();
-        let class: Vec<bool> = (0..betti).map(|k| number.checked_shr((betti - 1 - k) as u32).unwrap_or(0) & 1 == 1).collect();
+        let class: Vec<bool> = (0..betti).map(|k| digit(number, betti - 1 - k)).collect();
         let mut rest = class.as_slice();
         for relaxation in &mut self.components {
             let own;

@@ -10,8 +10,8 @@ use super::relaxation::Relaxation;
 use super::{EvolveError, Observer, Phase, Settling};
 use crate::immersion::{is_convex, l2_length_error, largest_dent};
 
-/// Factors of ε₁, one for each level; the level after the last one is that of the phase itself.
-const STIFFER: [f64; 2] = [50.0, 10.0];
+/// ε₁, one for each level; the level after the last one is that of the phase itself.
+const STIFFER: [f64; 2] = [5e-3, 1e-3];
 /// L2 length error up to which lengths are kept well enough to stay so stiff.
 const FITS: f64 = 1e-3;
 /// ε₁ that dents do not withstand.
@@ -30,7 +30,11 @@ impl Relaxation {
     }
 
     /// As after all phases: takes out what dents a convex metric does not ask for.
-    pub(super) fn take_out_dents(&mut self, settling: &Settling, observer: &mut dyn Observer) -> Result<(), EvolveError> {
+    pub(super) fn take_out_dents(
+        &mut self,
+        settling: &Settling,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
         let cursor = self.cursor;
         if self.is_dented() {
             self.iron(settling, observer)?;
@@ -43,7 +47,8 @@ impl Relaxation {
     pub(super) fn following_phase(&self, settling: &Settling) -> Phase {
         let mut phase = settling.phase(&self.phases);
         if self.is_smooth {
-            phase.step.stiffness[1] *= STIFFER.get(self.cursor.level).copied().unwrap_or(1.0);
+            let own = phase.step.stiffness[1];
+            phase.step.stiffness[1] = STIFFER.get(self.cursor.level).map_or(own, |stiffer| own.max(*stiffer));
         }
         phase
     }

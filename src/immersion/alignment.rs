@@ -1,8 +1,8 @@
 //! Where a surface lies in space: a metric leaves a rigid motion open, and random frames choose one at random.
 
-use crate::algebra::quaternion;
+use crate::algebra::{principal_axes, quaternion, upright_sign};
 use glam::{DMat3, DQuat, DVec3};
-use nalgebra::{Matrix3, Matrix4};
+use nalgebra::Matrix4;
 
 /// An orientation-preserving isometry of space, `p ↦ R p + t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,35 +41,33 @@ impl RigidMotion {
 
     /// The motion that brings the centroid to the origin and the principal axes to those of space: x along the
     /// longest, z along the shortest. Of each axis the side that reaches further is positive, but for the most
-    /// balanced one, whose sign makes the motion proper. So the result does not depend on where the positions lay.
+    /// balanced one, whose sign makes the motion proper. So the result does not depend on where the positions lay,
+    /// unless something is as long along two axes: there rounding would choose, so the axes nearest to those of space
+    /// are taken, and the larger coordinate tells sides apart that reach as far.
     pub fn to_principal_axes(positions: &[DVec3], weights: &[f64]) -> RigidMotion {
         let center = mean(positions, weights);
+        let total: f64 = weights.iter().sum();
         let moments = positions.iter().zip(weights).fold(DMat3::ZERO, |sum, (&p, &w)| {
-            let (p, q) = (p - center, w * (p - center));
+            let (p, q) = (p - center, (w / total) * (p - center));
             sum + DMat3::from_cols(p * q.x, p * q.y, p * q.z)
         });
         if !moments.is_finite() {
             return RigidMotion { rotation: DQuat::IDENTITY, translation: DVec3::ZERO };
         }
-        let eigen = Matrix3::from_column_slice(&moments.to_cols_array()).symmetric_eigen();
-        let mut order = [0, 1, 2];
-        order.sort_by(|&a, &b| eigen.eigenvalues[b].total_cmp(&eigen.eigenvalues[a]));
-        let mut axes = order.map(|column| DVec3::from_slice(eigen.eigenvectors.column(column).as_slice()));
         // Third moments tell the sides of an axis apart.
-        let skewness = axes.map(|axis| {
-            let (cubes, squares) = positions.iter().zip(weights).fold((0.0, 0.0), |(cubes, squares), (&p, &w)| {
-                let x = (p - center).dot(axis);
-                (cubes + w * x * x * x, squares + w * x * x)
+        let sides = principal_axes(moments, TIE, DVec3::AXES).map(|(axis, variance)| {
+            let unit = 1.0 / variance.sqrt();
+            let cubes = positions.iter().zip(weights).map(|(&p, &w)| {
+                let x = (p - center).dot(axis) * unit;
+                (w / total) * x * x * x
             });
-            cubes / (squares * squares.sqrt()).max(f64::MIN_POSITIVE)
+            let skewness = if unit.is_finite() { cubes.sum::<f64>() } else { 0.0 };
+            if skewness.abs() > TIE { (axis * skewness.signum(), skewness) } else { (axis * upright_sign(axis), 0.0) }
         });
-        for (axis, skewness) in axes.iter_mut().zip(skewness) {
-            if skewness < 0.0 {
-                *axis = -*axis;
-            }
-        }
+        let mut axes = sides.map(|(axis, _)| axis);
         if DMat3::from_cols(axes[0], axes[1], axes[2]).determinant() < 0.0 {
-            let balanced = (0..3).min_by(|&a, &b| skewness[a].abs().total_cmp(&skewness[b].abs())).unwrap_or(1);
+            let balance = |k: &usize| sides[*k].1.abs();
+            let balanced = (0..3).min_by(|a, b| balance(a).total_cmp(&balance(b))).unwrap_or(1);
             axes[balanced] = -axes[balanced];
         }
         let rotation = upward(DQuat::from_mat3(&DMat3::from_cols(axes[0], axes[1], axes[2]).transpose()));
@@ -95,6 +93,9 @@ impl RigidMotion {
         frame * self.rotation.conjugate()
     }
 }
+
+/// Relative differences of moments below which they are equal up to rounding.
+const TIE: f64 = 1e-9;
 
 /// Of the two quaternions of a rotation the one nearer to 1.
 fn upward(rotation: DQuat) -> DQuat {

@@ -80,7 +80,8 @@ impl TargetBending {
             let angle = Number::from_scene(&region.angle, parameters).map_err(AtKey::of(format!("{key}.angle")))?;
             regions.push((edges, angle));
         }
-        let mut is_asked: Vec<bool> = mesh.edges().map(|e| section.from.is_some() && !mesh.is_boundary_edge(e)).collect();
+        let mut is_asked: Vec<bool> =
+            mesh.edges().map(|e| section.from.is_some() && !mesh.is_boundary_edge(e)).collect();
         regions.iter().flat_map(|(edges, _)| edges).for_each(|e| is_asked[e.index()] = true);
         Ok(TargetBending { angles, amount, regions, is_asked })
     }

@@ -25,8 +25,8 @@ pub use edge_vectors::{Periods, edge_vectors};
 pub use fields::{FieldInput, FieldValues, Fields};
 pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
-    LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn, pinch_points,
-    rims,
+    LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn,
+    pinch_points, rims,
 };
 pub use pins::{PinError, Pins};
 pub use poisson::Poisson;

@@ -294,6 +294,14 @@ impl Mesh {
         self.vertex_count() as i64 - self.edge_count() as i64 + self.face_count() as i64
     }
 
+    /// First Betti number, that of generators: twice the genus of each component and its boundary loops but one.
+    pub fn betti(&self) -> usize {
+        let components = self.components();
+        let has_boundary =
+            |faces: &&Vec<FaceId>| faces.iter().any(|f| f.halfedges().iter().any(|h| self.twin(*h).is_none()));
+        2 * self.genus() + self.boundary_loops().len() - components.iter().filter(has_boundary).count()
+    }
+
     /// Sum of the genera of all components.
     pub fn genus(&self) -> usize {
         let components = self.components().len() as i64;

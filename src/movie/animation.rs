@@ -9,7 +9,10 @@ use std::{
 use tempfile::NamedTempFile;
 
 use super::{MovieError, apng::Apng, gif::Gif, gif::Palette};
-use crate::{render::temporary_beside, scene::AnimationFormat};
+use crate::{
+    render::{Metadata, temporary_beside},
+    scene::AnimationFormat,
+};
 
 /// A moving picture in the making. Frames are pushed in order as sRGB bytes, three per pixel, row by row.
 pub(super) trait Animation: Send {
@@ -27,6 +30,15 @@ pub(super) struct Reeling {
     pub frames: usize,
     /// Frames a second.
     pub rate: f64,
+    /// Fingerprint of what was simulated.
+    pub scene_hash: u32,
+}
+
+impl Reeling {
+    /// The fingerprint as it is written.
+    pub fn hash(&self) -> String {
+        Metadata { scene_hash: self.scene_hash, ..Metadata::default() }.hash()
+    }
 }
 
 /// Begins `film.gif`, `film.apng` or `film.mp4` in a folder.

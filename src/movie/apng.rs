@@ -15,8 +15,14 @@ pub(super) struct Apng {
     draft: Draft,
 }
 
-/// A frame is shown for this many parts of a second; the parts are what is given.
-const NUMERATOR: u16 = 60;
+/// Seconds for which a frame is shown, as numerator and denominator: as nearly as both have room for.
+fn delay(rate: f64) -> (u16, u16) {
+    let most = f64::from(u16::MAX);
+    // The smaller of the two is 1000, which divides usual rates, or as much as leaves room for the other.
+    let less = 1000.0_f64.min((most / rate.max(1.0 / rate)).floor()).max(1.0);
+    let more = (less * rate.max(1.0 / rate)).round().clamp(1.0, most);
+    if rate >= 1.0 { (less as u16, more as u16) } else { (more as u16, less as u16) }
+}
 
 impl Apng {
     pub fn begin(draft: Draft, reeling: Reeling) -> Result<Apng, MovieError> {
@@ -25,11 +31,12 @@ impl Apng {
         encoder.set_depth(BitDepth::Eight);
         encoder.set_compression(Compression::Fast);
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        let denominator = (f64::from(NUMERATOR) * reeling.rate).round().clamp(1.0, f64::from(u16::MAX)) as u16;
+        let (numerator, denominator) = delay(reeling.rate);
         let begin = || {
             encoder.set_animated(reeling.frames as u32, 0)?;
-            encoder.set_frame_delay(NUMERATOR, denominator)?;
+            encoder.set_frame_delay(numerator, denominator)?;
             encoder.add_itxt_chunk("Software".into(), Metadata::SOFTWARE.into())?;
+            encoder.add_itxt_chunk("Scene hash".into(), reeling.hash())?;
             encoder.write_header()
         };
         let writer = begin().map_err(|error| draft.error(error))?;

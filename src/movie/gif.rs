@@ -3,13 +3,14 @@
 use std::{borrow::Cow, fs::File, io::BufWriter, io::Write};
 
 use color_quant::NeuQuant;
-use gif::{Encoder, Frame, Repeat};
+use gif::{AnyExtension, Encoder, Extension, Frame, Repeat};
 use rayon::prelude::*;
 
 use super::{
     MovieError,
     animation::{Animation, Draft, Reeling},
 };
+use crate::render::Metadata;
 
 /// 256 colours and which of them is nearest to any other.
 #[derive(Clone, Debug, Default)]
@@ -110,6 +111,8 @@ impl Gif {
         let begin = |file| {
             let mut encoder = Encoder::new(file, reeling.width as u16, reeling.height as u16, &palette.colors)?;
             encoder.set_repeat(Repeat::Infinite)?;
+            let comment = format!("{}, Scene hash {}", Metadata::SOFTWARE, reeling.hash());
+            encoder.write_raw_extension(AnyExtension(Extension::Comment as u8), &[comment.as_bytes()])?;
             Ok::<_, gif::EncodingError>(encoder)
         };
         let encoder = begin(draft.writer()?).map_err(|error| draft.error(error))?;
@@ -117,11 +120,29 @@ impl Gif {
     }
 
     /// Hundredths of a second for which a frame is shown. They differ by one, so that the whole film is as long as it
-    /// should be; browsers slow down what is faster than 2.
+    /// should be.
     fn delay(&self) -> u16 {
         let end = |frames: usize| (100.0 * frames as f64 / self.reeling.rate).round();
-        (end(self.pushed + 1) - end(self.pushed)).clamp(2.0, f64::from(u16::MAX)) as u16
+        (end(self.pushed + 1) - end(self.pushed)).clamp(SHORTEST, LONGEST) as u16
     }
+}
+
+/// Hundredths of a second: viewers slow down what is faster than the first, and the format holds no more than the last.
+const SHORTEST: f64 = 2.0;
+const LONGEST: f64 = u16::MAX as f64;
+
+/// What a GIF of so many frames makes of a number of frames a second, if it is another one.
+pub(super) fn note(rate: f64, frames: usize) -> Option<String> {
+    let shown = rate.clamp(100.0 / LONGEST, 100.0 / SHORTEST);
+    if shown == rate {
+        return None;
+    }
+    let [asked, takes] = [rate, shown].map(|rate| frames as f64 / rate);
+    Some(format!(
+        "film.gif shows {} frames a second and takes {takes:.2} s, not {rate} and {asked:.2} s: its delays are 0.02 s to \
+         655.35 s; set frame_rate between 0.00153 and 50, or ask for apng or mp4",
+        if shown < rate { "50" } else { "0.00153" }
+    ))
 }
 
 impl Animation for Gif {

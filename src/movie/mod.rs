@@ -14,6 +14,7 @@ mod error;
 mod gif;
 mod in_order;
 mod labels;
+mod leftovers;
 #[cfg(feature = "mp4")]
 mod mp4;
 mod pictures;
@@ -26,5 +27,6 @@ mod subject;
 
 pub use arrivals::Arrivals;
 pub use error::MovieError;
+pub use leftovers::{Leftovers, clear_leftovers};
 pub use pictures::{Event, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals, make_poster};
 pub use plan::Plan;

@@ -19,6 +19,7 @@ use super::{
     MovieError,
     animation::{Animation, Draft, Reeling},
 };
+use crate::render::Metadata;
 
 pub(super) struct Mp4 {
     encoder: Encoder,
@@ -81,9 +82,14 @@ impl Animation for Mp4 {
     }
 
     fn finish(self: Box<Self>) -> Result<(), MovieError> {
-        let Mp4 { mut muxer, draft, .. } = *self;
+        let Mp4 { mut muxer, draft, reeling, .. } = *self;
         muxer.finish_in_place().map_err(|error| draft.error(error))?;
-        muxer.into_writer().flush().map_err(|error| draft.error(error))?;
+        let mut writer = muxer.into_writer();
+        // Who made it, in a box that players skip.
+        let comment = format!("{}, Scene hash {}", Metadata::SOFTWARE, reeling.hash());
+        let length = (8 + comment.len() as u32).to_be_bytes();
+        let free_box = [&length[..], b"free", comment.as_bytes()].concat();
+        writer.write_all(&free_box).and_then(|()| writer.flush()).map_err(|error| draft.error(error))?;
         draft.publish()
     }
 }

@@ -163,7 +163,9 @@ fn film(
 ) -> Result<(), MovieError> {
     let output = &plan.scene.output;
     let [_, _, width, height] = plan.output.window();
-    let reeling = Reeling { width, height, frames: frames.len(), rate: output.frame_rate };
+    let scene_hash = survey.subject.scene_hash();
+    let reeling = Reeling { width, height, frames: frames.len(), rate: output.frame_rate, scene_hash };
+    plan.notes().into_iter().for_each(|note| watch(Event::Note(note)));
     let palette = match output.animation.contains(&AnimationFormat::Gif) {
         true => palette(plan, survey, frames, watch)?,
         false => Palette::default(),

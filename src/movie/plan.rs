@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::{MovieError, labels::labels};
+use super::{MovieError, gif, labels::labels};
 use crate::{
     cache::FrameReport,
     render::{Camera, Extent, Lights, Look, Output, Png},
@@ -55,6 +55,14 @@ impl<'a> Plan<'a> {
     /// Width and height of its pictures in pixels.
     pub fn size(&self) -> [usize; 2] {
         [self.output.width(), self.output.height()]
+    }
+
+    /// Where pictures cannot be all that is asked.
+    pub fn notes(&self) -> Vec<String> {
+        let output = &self.scene.output;
+        let frames = self.scene.clock.frames;
+        let of_gif = output.animation.contains(&AnimationFormat::Gif).then(|| gif::note(output.frame_rate, frames));
+        of_gif.flatten().into_iter().collect()
     }
 
     /// Whether a picture takes the frame after its own.

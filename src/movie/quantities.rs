@@ -69,7 +69,8 @@ impl Measures {
         let fields = if wanted {
             let first = metric(mesh, &cache.read_frame(1)?)?;
             // Energies are those of the reports: with the weights of the last phase.
-            let phases = phases_from_scene(&plan.scene.phases, &plan.scene.start.from, mesh.face_count());
+            let phases = phases_from_scene(plan.scene, mesh.face_count())
+                .map_err(|error| MovieError::of_scene(plan.scene, &error.key, &error.error.to_string()))?;
             let stiffness = phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
             Some(Fields::new(Arc::clone(mesh), first, stiffness))
         } else {

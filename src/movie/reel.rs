@@ -91,7 +91,7 @@ impl Reel<'_> {
             self.wait_for(some)?;
             let look_at = |&frame: &usize| -> Result<(Extent, Spreads), MovieError> {
                 let state = self.cache.read_frame(frame)?;
-                Ok((Extent::of(&subject.positions(&state)), subject.spreads(plan, &state)?))
+                Ok((subject.extent(&state), subject.spreads(plan, &state)?))
             };
             let seen: Vec<_> = some.par_iter().map(look_at).collect();
             for (&frame, seen) in some.iter().zip(seen) {

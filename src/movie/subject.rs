@@ -14,7 +14,7 @@ use crate::{
     cache::{Cache, CacheError, FrameState},
     immersion::{Pins, pinch_points},
     mesh::{self, EdgeId, Mesh, Surface},
-    render::{Legend, Look, Plane, Scenery},
+    render::{Extent, Legend, Look, Plane, Scenery},
     scene::Scene,
 };
 
@@ -117,6 +117,11 @@ impl Subject {
             component.iter().for_each(|&v| positions[v as usize] += shift);
         }
         positions
+    }
+
+    /// What the camera has to know of a frame.
+    pub fn extent(&self, state: &FrameState) -> Extent {
+        Extent::of_surface(&self.positions(state), &self.triangles)
     }
 
     /// Whether the look depends on how the values of all frames are spread.

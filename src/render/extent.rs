@@ -1,76 +1,75 @@
-use glam::{DMat3, DVec3};
-use nalgebra::Matrix3;
+use glam::DVec3;
 use rayon::prelude::*;
 
-/// What a camera has to know of a set of positions: its moments and its outermost points.
+use super::moments::Moments;
+use crate::algebra::{principal_axes, upright_sign};
+
+/// What a camera has to know of a surface: its moments and its outermost points.
 ///
-/// Extents of all frames of a film merge into one, so a camera can be set up once and held.
+/// Extents of all frames of a film merge into one, in which each counts the same, so a camera can be set up once and
+/// held. Neither the unit of length nor the place in space nor, as far as the shape is the same, the number of
+/// triangles makes a difference.
 #[derive(Clone, Debug, Default)]
 pub struct Extent {
-    count: f64,
-    sum: DVec3,
-    /// Sum of p pᵀ.
-    squares: DMat3,
-    /// Sum of p |p|².
-    cubes: DVec3,
+    /// The first point. All that follows is relative to it, which is exact where a surface lies far from the origin.
+    origin: DVec3,
+    /// Of weight 1 for every surface.
+    moments: Moments,
     /// For each of a fixed set of directions the outermost point; empty before the first point.
     outermost: Vec<DVec3>,
 }
 
-/// Positions that are looked at in one go.
+/// Positions or triangles that are looked at in one go.
 const PIECE: usize = 4096;
 /// How many directions are probed for outermost points. A sphere is missed by less than 1 %.
 const DIRECTIONS: usize = 512;
+/// Variances that differ by no more than this share are those of something round, whose axes mean nothing.
+const ROUND: f64 = 0.01;
+/// Axes of what is round all over: it is seen with z, the height, upward.
+const AXES: [DVec3; 3] = [DVec3::X, DVec3::Z, DVec3::Y];
 
 impl Extent {
-    /// The extent of some positions; those that are not finite are left out.
-    pub fn of(positions: &[DVec3]) -> Self {
-        let directions = directions();
-        // In fixed pieces, for the same bits on any number of threads.
-        let pieces: Vec<Self> = positions.par_chunks(PIECE).map(|piece| Self::of_piece(piece, &directions)).collect();
-        let mut extent = Self::default();
-        pieces.iter().for_each(|piece| extent.merge_along(piece, &directions));
-        extent
+    /// The extent of some points; those that are not finite are left out.
+    pub fn of(points: &[DVec3]) -> Self {
+        Self::weighted_by_area(points, &[])
     }
 
-    fn of_piece(positions: &[DVec3], directions: &[DVec3]) -> Self {
-        let mut extent = Self::default();
-        for &position in positions.iter().filter(|position| position.is_finite()) {
-            extent.count += 1.0;
-            extent.sum += position;
-            extent.squares += outer(position);
-            extent.cubes += position * position.length_squared();
-            if extent.outermost.is_empty() {
-                extent.outermost = vec![position; DIRECTIONS];
-            }
-            for (best, &direction) in extent.outermost.iter_mut().zip(directions) {
-                if position.dot(direction) > best.dot(direction) {
-                    *best = position;
-                }
-            }
-        }
-        extent
+    /// The extent of a surface with its corners in these positions. Triangles without finite corners are left out.
+    pub fn of_surface(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
+        Self::weighted_by_area(positions, triangles)
+    }
+
+    /// Without any area every point weighs the same.
+    fn weighted_by_area(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
+        let Some(&origin) = positions.iter().find(|position| position.is_finite()) else { return Self::default() };
+        let together = |pieces: Vec<Moments>| pieces.into_iter().fold(Moments::default(), Moments::with);
+        // In fixed pieces, for the same bits on any number of threads.
+        let of_triangle = |corners: &[u32; 3]| Moments::of_triangle(corners.map(|v| positions[v as usize] - origin));
+        let of_triangles = |piece: &[[u32; 3]]| piece.iter().map(of_triangle).fold(Moments::default(), Moments::with);
+        let surface = together(triangles.par_chunks(PIECE).map(of_triangles).collect());
+        let of_points = |piece: &[DVec3]| {
+            Moments::of(piece.iter().filter(|point| point.is_finite()).map(|&point| (point - origin, 1.0)))
+        };
+        let points = || together(positions.par_chunks(PIECE).map(of_points).collect());
+        let moments = if surface.weight > 0.0 { surface } else { points() };
+        let directions = directions();
+        let outermost = positions
+            .par_chunks(PIECE)
+            .map(|piece| outermost(piece.iter().copied().filter(|point| point.is_finite()), origin, &directions))
+            .collect::<Vec<_>>()
+            .concat();
+        let outermost = outermost_of(&outermost, origin, &directions);
+        Self { origin, moments: moments.normalized(), outermost }
     }
 
     /// Adds another frame.
     pub fn merge(&mut self, other: &Extent) {
-        let directions = directions();
-        self.merge_along(other, &directions);
-    }
-
-    fn merge_along(&mut self, other: &Extent, directions: &[DVec3]) {
-        self.count += other.count;
-        self.sum += other.sum;
-        self.squares += other.squares;
-        self.cubes += other.cubes;
         if self.outermost.is_empty() {
-            self.outermost.clone_from(&other.outermost);
+            self.origin = other.origin;
         }
-        for ((best, &point), &direction) in self.outermost.iter_mut().zip(&other.outermost).zip(directions) {
-            if point.dot(direction) > best.dot(direction) {
-                *best = point;
-            }
-        }
+        self.moments = self.moments.with(other.moments.moved(other.origin - self.origin));
+        let both = [self.outermost.as_slice(), &other.outermost].concat();
+        self.outermost = outermost_of(&both, self.origin, &directions());
     }
 
     /// The outermost points, which stand for the convex hull.
@@ -87,33 +86,19 @@ impl Extent {
     pub(super) fn ball(&self) -> Option<(DVec3, f64)> {
         let low = self.outermost.iter().copied().reduce(DVec3::min)?;
         let high = self.outermost.iter().copied().reduce(DVec3::max)?;
-        let center = (low + high) / 2.0;
+        let center = low + (high - low) / 2.0;
         let radius = self.outermost.iter().map(|point| point.distance(center)).fold(0.0, f64::max);
         Some((center, radius))
     }
 
-    /// Mean of q |q|², where q is the offset from the mean: it points to where the surface is wide and
-    /// open, from the bottom of a bowl to its opening.
-    fn open_side(&self, mean: DVec3) -> DVec3 {
-        let count = self.count.max(1.0);
-        let (squares, cubes) = (self.squares * (1.0 / count), self.cubes / count);
-        let trace = squares.x_axis.x + squares.y_axis.y + squares.z_axis.z;
-        cubes - squares * mean * 2.0 + mean * (2.0 * mean.length_squared() - trace)
-    }
-
-    /// Principal axes, longest first, with the variances along them.
+    /// Principal axes, longest first, with the variances along them. They point to the open side: the mean of q |q|²,
+    /// where q is the offset from the mean, points to where the surface is wide and open, from the bottom of a bowl to its
+    /// opening.
     pub(super) fn principal_axes(&self) -> [(DVec3, f64); 3] {
-        let mean = self.sum / self.count.max(1.0);
-        let covariance = self.squares * (1.0 / self.count.max(1.0)) - outer(mean);
-        let eigen = Matrix3::from_column_slice(&covariance.to_cols_array()).symmetric_eigen();
-        let largest = eigen.eigenvalues.max().max(f64::MIN_POSITIVE);
-        let open_side = self.open_side(mean) / (largest * largest.sqrt());
-        let mut axes = [0, 1, 2].map(|column| {
-            let axis = DVec3::from_slice(eigen.eigenvectors.column(column).as_slice());
-            (signed(axis, open_side), eigen.eigenvalues[column].max(0.0))
-        });
-        axes.sort_by(|a, b| b.1.total_cmp(&a.1));
-        axes
+        let axes = principal_axes(self.moments.second, ROUND, AXES);
+        let largest = axes[0].1.max(f64::MIN_POSITIVE);
+        let open_side = self.moments.third / largest / largest.sqrt();
+        axes.map(|(axis, variance)| (signed(axis, open_side), variance))
     }
 }
 
@@ -121,13 +106,36 @@ impl Extent {
 /// largest coordinate is positive.
 fn signed(axis: DVec3, open_side: DVec3) -> DVec3 {
     let openness = axis.dot(open_side);
-    let largest = axis.to_array().into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(1.0);
-    let sign = if openness.abs() > 0.05 { openness } else { largest };
-    if sign < 0.0 { -axis } else { axis }
+    axis * if openness.abs() > 0.05 { openness.signum() } else { upright_sign(axis) }
 }
 
-fn outer(vector: DVec3) -> DMat3 {
-    DMat3::from_cols(vector * vector.x, vector * vector.y, vector * vector.z)
+/// For each direction the outermost of some points; nothing if there is none.
+fn outermost(points: impl Iterator<Item = DVec3>, origin: DVec3, directions: &[DVec3]) -> Vec<DVec3> {
+    let mut best: Vec<(DVec3, f64)> = Vec::new();
+    for point in points {
+        if best.is_empty() {
+            best = vec![(point, f64::MIN); directions.len()];
+        }
+        for (best, &direction) in best.iter_mut().zip(directions) {
+            let reach = (point - origin).dot(direction);
+            if reach > best.1 {
+                *best = (point, reach);
+            }
+        }
+    }
+    best.into_iter().map(|(point, _)| point).collect()
+}
+
+/// Of points that are outermost among some, those that are so among all.
+fn outermost_of(points: &[DVec3], origin: DVec3, directions: &[DVec3]) -> Vec<DVec3> {
+    // Each piece has one point per direction, in order.
+    let Some(count) = points.len().checked_div(directions.len()).filter(|&count| count > 0) else { return Vec::new() };
+    let reach = |point: &DVec3, direction: DVec3| (*point - origin).dot(direction);
+    let best = |(k, &direction): (usize, &DVec3)| {
+        let candidates = (0..count).map(|piece| points[piece * directions.len() + k]);
+        candidates.reduce(|a, b| if reach(&b, direction) > reach(&a, direction) { b } else { a })
+    };
+    directions.iter().enumerate().filter_map(best).collect()
 }
 
 /// The directions that are probed.

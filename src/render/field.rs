@@ -103,16 +103,20 @@ impl FieldSpread {
     /// last one.
     pub fn range(&self, field: FieldName) -> [f32; 2] {
         match field {
-            FieldName::LengthError | FieldName::EnergyDensity | FieldName::BendingAngle => [0.0, self.bound()],
-            FieldName::GaussianCurvature | FieldName::MeanCurvature | FieldName::ConformalFactor => {
-                [-self.bound(), self.bound()]
+            FieldName::LengthError | FieldName::BendingAngle => [0.0, self.bound(ROUNDING)],
+            FieldName::EnergyDensity => [0.0, self.bound(ROUNDING * ROUNDING)],
+            FieldName::ConformalFactor => [-self.bound(ROUNDING), self.bound(ROUNDING)],
+            // Curvatures are small in small units; that of what is flat is 0.
+            FieldName::GaussianCurvature | FieldName::MeanCurvature => {
+                [-self.bound(f32::MIN_POSITIVE), self.bound(f32::MIN_POSITIVE)]
             }
             FieldName::Generators => [0.0, self.extremes().map_or(1.0, |[_, last]| last.max(1.0))],
         }
     }
 
-    /// The first of 1, 1.2, 1.5, 2, … times a power of ten that is not below most absolute values; 1 if all are 0.
-    fn bound(&self) -> f32 {
+    /// The first of 1, 1.2, 1.5, 2, … times a power of ten that is not below most absolute values; 1 if all are less than
+    /// the least one that means anything.
+    fn bound(&self, least: f32) -> f32 {
         let wanted = (self.finite as f64 * SHOWN).ceil() as u64;
         let mut below = 0;
         let bin = self.counts.iter().position(|count| {
@@ -122,10 +126,12 @@ impl FieldSpread {
         let greatest = self.extremes().map_or(0.0, |[least, greatest]| greatest.max(-least));
         // Everything in the bin is below the next one.
         let bound = bin.map_or(0.0, |bin| f32::from_bits((bin as u32 + 1) << 16)).min(greatest);
-        // Numbers this small are the rounding of 0.
-        if bound < 1e-12 { 1.0 } else { read_well_above(f64::from(bound)) as f32 }
+        if bound < least { 1.0 } else { read_well_above(f64::from(bound)) as f32 }
     }
 }
+
+/// Numbers without a unit that are the rounding of 0.
+const ROUNDING: f32 = 1e-12;
 
 fn read_well_above(value: f64) -> f64 {
     let decade = libm::pow(10.0, libm::log10(value).floor());

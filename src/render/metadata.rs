@@ -45,7 +45,7 @@ impl Metadata {
     }
 
     /// The fingerprint as it is written.
-    pub(super) fn hash(&self) -> String {
+    pub(crate) fn hash(&self) -> String {
         format!("{:08x}", self.scene_hash)
     }
 }

@@ -30,6 +30,7 @@ mod lines;
 mod look;
 mod material;
 mod metadata;
+mod moments;
 mod openexr;
 mod output;
 mod overlay;

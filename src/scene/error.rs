@@ -22,6 +22,8 @@ pub struct SceneError {
     pub text: Arc<str>,
     /// First byte and number of bytes of the place in `text`.
     pub span: (usize, usize),
+    /// How many more there are of its kind behind this one, which are not listed.
+    pub more: usize,
 }
 
 /// Why there is no scene: the file cannot be read, or all the mistakes in it, by line.
@@ -36,7 +38,7 @@ pub enum SceneErrors {
         /// What to do about it.
         remedy: String,
     },
-    /// The text has mistakes, at least one, in the order of the file.
+    /// The text has mistakes, at least one, in the order of the file; of each kind the first twenty.
     Mistakes(Vec<SceneError>),
 }
 
@@ -60,6 +62,9 @@ impl fmt::Display for SceneErrors {
                         writeln!(f)?;
                     }
                     write!(f, "{mistake}")?;
+                    if mistake.more > 0 {
+                        write!(f, "\nand {} more like it", mistake.more)?;
+                    }
                 }
                 Ok(())
             }

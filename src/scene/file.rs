@@ -6,9 +6,11 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
+use super::foreign::{folder_that_is_no_scene, foreign_content, foreign_ending};
+use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
-use super::table::{Problems, Table};
+use super::table::Table;
 use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
 
 /// Far more than any scene needs; what is longer is not a scene.
@@ -25,8 +27,18 @@ impl Scene {
             reason,
             remedy: remedy.to_owned(),
         };
+        let foreign =
+            |(reason, remedy): (String, String)| SceneErrors::Unreadable { path: path.to_owned(), reason, remedy };
+        if path.is_dir() {
+            return Err(foreign(folder_that_is_no_scene(path)));
+        }
         let mut bytes = Vec::new();
-        match File::open(path).and_then(|file| file.take(MAX_BYTES + 1).read_to_end(&mut bytes)) {
+        let mut read = |file: File| match foreign_ending(path) {
+            // Its content does not matter, and may be large.
+            Some(_) => Ok(0),
+            None => file.take(MAX_BYTES + 1).read_to_end(&mut bytes),
+        };
+        match File::open(path).and_then(&mut read) {
             Ok(_) => {}
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 return Err(unreadable(
@@ -37,6 +49,9 @@ impl Scene {
             Err(error) => {
                 return Err(unreadable(format!("it cannot be read ({error})"), "name a scene file that you may read"));
             }
+        }
+        if let Some(what) = foreign_ending(path).or_else(|| foreign_content(path, &bytes)) {
+            return Err(foreign(what));
         }
         if bytes.len() as u64 > MAX_BYTES {
             return Err(unreadable("it is larger than 64 MiB".into(), "name a scene file, which is a short text"));
@@ -81,9 +96,10 @@ impl Scene {
     /// counts as empty; the mesh or metric that wants it says so.
     pub fn simulation_fingerprint(&self) -> u32 {
         let sections = (&self.mesh, &self.parameters, &self.metric, &self.spin, &self.start, &self.phases);
+        let relaxation = &self.relaxation;
         let more = (&self.bending, &self.pins, &self.clock);
         let mut hasher = crc32fast::Hasher::new();
-        hasher.update(format!("{sections:?}{more:?}").as_bytes());
+        hasher.update(format!("{sections:?}{more:?}{relaxation:?}").as_bytes());
         self.weld.iter().for_each(|weld| hasher.update(format!("{weld:?}").as_bytes()));
         for path in self.files() {
             hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
@@ -116,8 +132,13 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
     let source = Source::new(path, text, tree.get_ref());
     if !syntax_errors.is_empty() {
         // What a broken text means is a guess, so nothing else is said about it.
-        let mut mistakes: Vec<_> = syntax_errors.iter().map(|error| syntax_error(&source, error)).collect();
-        mistakes.dedup();
+        let listed = syntax_errors.iter().take(LISTED);
+        let mut mistakes: Vec<_> = listed.map(|error| syntax_error(&source, error)).collect();
+        // A path of Windows has several escapes.
+        mistakes.dedup_by(|a, b| a.line == b.line && a.remedy == b.remedy);
+        if let Some(last) = mistakes.last_mut() {
+            last.more = syntax_errors.len().saturating_sub(LISTED);
+        }
         return Err(SceneErrors::Mistakes(mistakes));
     }
     let problems = Problems::default();
@@ -125,11 +146,10 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
     let mut scene = root(&mut table);
     table.finish();
     drop(table);
-    let mut problems = problems.into_inner();
+    let problems = problems.into_listed();
     if !problems.is_empty() {
-        problems.sort_by_key(|problem| problem.span.start);
-        let mistakes = problems.into_iter().map(|p| source.error(p.span, p.reason, p.remedy)).collect();
-        return Err(SceneErrors::Mistakes(mistakes));
+        let mistake = |(p, more): (Problem, usize)| SceneError { more, ..source.error(p.span, p.reason, p.remedy) };
+        return Err(SceneErrors::Mistakes(problems.into_iter().map(mistake).collect()));
     }
     scene.name = name;
     scene.folder = folder.to_owned();
@@ -139,6 +159,7 @@ fn parse(text: &str, name: String, folder: &Path, path: PathBuf) -> Result<Scene
 
 fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
     let span = error.span().unwrap_or(0..0);
+    let backslash = || backslash_remedy(source.text(), span.start);
     let (reason, expected) = error.message().split_once(", expected ").unwrap_or((error.message(), ""));
     let remedy = match (reason, expected) {
         ("duplicate key", _) => "remove one of the two".to_owned(),
@@ -146,6 +167,9 @@ fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
             "put text in double quotes; only numbers, true and false stand without".to_owned()
         }
         ("unexpected leading zero", _) => "remove the zeros in front, or put a class in quotes".to_owned(),
+        (reason, _) if reason.contains("escape") || reason.contains("unicode") => {
+            backslash().unwrap_or_else(|| "write two backslashes for one, or put the text in single quotes".to_owned())
+        }
         (reason, _) if reason.contains("recurs") => "nest tables and lists less deeply".to_owned(),
         (_, "nothing") => "remove this".to_owned(),
         (_, "") => {
@@ -154,4 +178,16 @@ fn syntax_error(source: &Source, error: &toml::de::Error) -> SceneError {
         (_, expected) => format!("write {expected} here"),
     };
     source.error(span, format!("this is not TOML: {reason}"), remedy)
+}
+
+/// In double quotes a backslash begins an escape, as in no path of Windows: the string around a place, in single quotes.
+fn backslash_remedy(text: &str, place: usize) -> Option<String> {
+    let start = text.get(..place)?.rfind('\n').map_or(0, |end| end + 1);
+    let line = text.get(start..)?.lines().next()?;
+    let (before, after) = line.split_at_checked(place - start)?;
+    let opening = before.rfind('"')?;
+    let closing = after.find('"').map_or(line.len(), |end| before.len() + end);
+    let inside = line.get(opening + 1..closing)?;
+    let single = (!inside.contains('\'') && inside.contains('\\')).then(|| format!(": '{inside}'"))?;
+    Some(format!("in double quotes a backslash begins an escape; put it in single quotes{single}"))
 }

@@ -13,12 +13,14 @@
 mod data;
 mod error;
 mod file;
+mod foreign;
 mod look_section;
 mod metric_section;
 mod motion_sections;
 mod names;
 mod number;
 mod picture_sections;
+mod problems;
 mod schema;
 mod sections;
 mod shapes;

@@ -5,8 +5,7 @@ use super::names::Boundary;
 use super::number::{one_per_time, times};
 use super::table::Table;
 
-/// Frame numbers have six digits in file names.
-const MAX_FRAMES: f64 = 999_999.0;
+const MAX_FRAMES: f64 = ClockSection::MOST_FRAMES as f64;
 
 pub(super) fn spin(table: &mut Table) -> SpinSection {
     let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions; or \"all\": one a frame.";
@@ -229,10 +228,11 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
     let default = ClockSection::default();
     let clock = ClockSection {
         frames: table
-            .key("frames", "Number of frames; 1 is a static scene.")
+            .key("frames", "Number of frames; 1 is a static scene. With class = \"all\" there is one for each class if it is left out.")
             .at_least(1.0)
             .at_most(MAX_FRAMES)
             .or(default.frames),
+        a_frame_for_each_class: !table.has("frames"),
         start: table.key("start", "Time of the first frame.").or(default.start),
         end: table.key("end", "Time of the last frame or, in a film that loops, of the one after it.").or(default.end),
         looping: table.key("loop", "Whether the first frame comes after the last one again.").or(default.looping),

@@ -5,8 +5,9 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::data::{SelectionSection, Weld};
+use super::problems::Problem;
 use super::spelling::suggestion;
-use super::value::{Bounds, Kind, Problem, Value, shown};
+use super::value::{Bounds, Kind, Value, shown};
 
 const WELDS: [(&str, Weld); 2] = [("exact", Weld::Exact), ("none", Weld::None)];
 /// Boundary loops by number or by what they are.

@@ -5,8 +5,9 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::data::{Ease, Extrapolation, NumberSection};
-use super::table::{Problems, Table, declared};
-use super::value::{Bounds, Kind, Problem, Value, shown};
+use super::problems::{Problem, Problems};
+use super::table::{Table, declared};
+use super::value::{Bounds, Kind, Value, shown};
 
 impl Value for NumberSection {
     fn kind(bounds: Bounds) -> Kind {
@@ -22,7 +23,7 @@ impl Value for NumberSection {
                 let section = keyframes(&mut table);
                 table.finish();
                 drop(table);
-                problems.into_inner().into_iter().next().map_or(Ok(section), Err)
+                problems.into_listed().into_iter().next().map_or(Ok(section), |(problem, _)| Err(problem))
             }
             DeValue::Float(_) | DeValue::Integer(_) => {
                 f64::read(name, value, bounds, example).map(NumberSection::Constant)

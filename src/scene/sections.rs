@@ -11,7 +11,7 @@ use super::table::Table;
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
     let (mesh, weld) = table.table("mesh", "The surface: a file or a generated shape.", mesh);
-    Scene {
+    let mut scene = Scene {
         mesh,
         weld,
         parameters: table.map("parameters", "Numbers by name, for formulas; each may use those before it and `t`."),
@@ -22,7 +22,8 @@ pub(super) fn root(table: &mut Table) -> Scene {
         ),
         spin: table.table("spin", "Its regular homotopy class.", spin),
         start: table.table("start", "Where the frames start; left out, random = 0.", start),
-        phases: table.tables("phase", "A stage of the relaxation; without any, the default ones.", phase),
+        phases: table.tables("phase", PHASES, phase),
+        relaxation: table.table("relaxation", "What holds for all phases.", relaxation),
         bending: table.optional_table("bending", "Target bending angles.", bending),
         pins: table.tables("pin", "Vertices held in place or led along.", pin),
         clock: table.table("clock", "Frames and their times.", clock),
@@ -32,11 +33,44 @@ pub(super) fn root(table: &mut Table) -> Scene {
         output: table.table("output", "Picture size and format.", output),
         checks: table.table("checks", "What must hold, else the run fails.", checks),
         ..Scene::default()
+    };
+    scene.clock.a_frame_for_each_class &= scene.spin == SpinSection::All;
+    scene
+}
+
+const PHASES: &str = "A stage of the relaxation. Without any there are five: epsilon = [1, 1, 1, 1] with dt = faces / 28, \
+     [1, 0.1, 1, 0.1] with dt = 100 (rims resolve here), [1, 0.01, 1, 0.1] and [1, 0.001, 1, 0.1] with dt = 30, and \
+     [1, 0.0001, 1, 0.1] with dt = 10; frames that start from a shape go through the last one only, and so do frames \
+     that follow in a film. `immerse check SCENE --phases` prints those of a scene. A [[phase]] with `index` or `like` \
+     changes default ones; others replace them.";
+
+fn relaxation(table: &mut Table) -> RelaxationSection {
+    RelaxationSection {
+        bending_stiffness: table
+            .key(
+                "bending_stiffness",
+                "The weight of bending, epsilon[1], in the last phase and in all frames of a film; in no phase is it less. \
+                 Left out, it is 0.0001. With more, surfaces are smoother, come closer to target bending angles, and keep \
+                 lengths less well.",
+            )
+            .at_least(0.0)
+            .optional(0.001),
     }
 }
 
 fn phase(table: &mut Table) -> PhaseSection {
     let default = PhaseSection::default();
+    let like = table.choice(
+        "like",
+        "\"default\": all default phases, with what else stands here changed in each.",
+        &[("default", ())],
+    );
+    let index = table
+        .key("index", "The default phase, counted from 1, that is changed by what else stands here; all others stay.")
+        .at_least(1.0)
+        .optional(5);
+    let given = PhaseSection::KEYS.into_iter().filter(|key| table.has(key)).collect();
+    let like = (like.is_some() || index.is_some()).then_some(LikeDefault { index, given });
     let method = table.choice(
         "method",
         "The step: implicit with the norm's basis frozen, Alg. 5 as printed, or Alg. 6.",
@@ -87,11 +121,13 @@ fn phase(table: &mut Table) -> PhaseSection {
         untangle_steps: table
             .key("untangle_steps", "So many more steps are taken as long as there are rims.")
             .or(default.untangle_steps),
+        like,
     };
     if phase.epsilon.iter().all(|&weight| weight == 0.0) {
         table.complain("epsilon", "all weights are 0, so that nothing is minimized", "make the first one 1");
     }
-    if phase.min_steps > phase.max_steps {
+    // Those of default phases are known later.
+    if phase.like.is_none() && phase.min_steps > phase.max_steps {
         let (least, most) = (phase.min_steps, phase.max_steps);
         let reason = format!("`min_steps` is {least}, more than `max_steps`, which is {most}");
         table.complain("min_steps", reason, format!("write at most {most}, or raise `max_steps`"));
@@ -144,6 +180,12 @@ fn film_checks(table: &mut Table) -> FilmChecksSection {
             .at_least(0.0)
             .optional(0.01),
         max_rims: table.key("max_rims", "Bound on the number of rims of every frame.").optional(0),
+        max_unconverged: table
+            .key(
+                "max_unconverged",
+                "Bound on the number of frames that ran into the limit of steps before they settled.",
+            )
+            .optional(0),
         max_jump: table
             .key(
                 "max_jump",

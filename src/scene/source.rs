@@ -74,6 +74,7 @@ impl Source {
             remedy,
             text: self.text.clone(),
             span: (span.start, span.end.saturating_sub(span.start)),
+            more: 0,
         }
     }
 }

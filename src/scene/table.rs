@@ -3,18 +3,15 @@
 //! so that one pass finds them all; the value read is then a placeholder and the scene is refused.
 //! Reading a table that is not there declares its keys all the same: that is where the schema comes from.
 
-use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::ops::Range;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::problems::{Problem, Problems};
 use super::spelling::suggestion;
-use super::value::{Bounds, Field, Kind, Problem, Value, Variant, shown};
-
-/// The problems found so far.
-pub(super) type Problems = RefCell<Vec<Problem>>;
+use super::value::{Bounds, Field, Kind, Value, Variant, shown};
 
 /// A name, what it means, and how the keys beside it are read.
 pub(super) type NamedReader<T> = (&'static str, &'static str, fn(&mut Table) -> T);
@@ -55,14 +52,18 @@ impl<'a> Table<'a> {
         self.entries?.iter().find(|(key, _)| key.get_ref() == name)
     }
 
-    fn report(&self, span: Range<usize>, reason: String, remedy: String) {
-        self.problems.borrow_mut().push(Problem { span, reason, remedy });
+    fn report(&self, span: Range<usize>, reason: String, remedy: impl FnOnce() -> String) {
+        self.problems.push(span, reason, remedy);
+    }
+
+    fn take_up(&self, problem: Problem) {
+        self.report(problem.span, problem.reason, || problem.remedy);
     }
 
     /// Reports that the value of a key, or the table if the key is left out, cannot be.
     pub(super) fn complain(&self, name: &str, reason: impl Into<String>, remedy: impl Into<String>) {
         let span = self.entry(name).map_or(self.place.clone(), |(_, value)| value.span());
-        self.report(span, reason.into(), remedy.into());
+        self.report(span, reason.into(), || remedy.into());
     }
 
     /// Whether the table is in the file and has none of the keys.
@@ -83,7 +84,7 @@ impl<'a> Table<'a> {
                     first.get_ref(),
                     second.get_ref()
                 ),
-                "remove one of them".into(),
+                || "remove one of them".into(),
             );
         }
     }
@@ -101,11 +102,9 @@ impl<'a> Table<'a> {
                 Some(table) => entries.extend(table.iter()),
                 None => {
                     let reason = format!("`{name}` is {}, it must be a table", shown(value.get_ref()));
-                    self.report(
-                        value.span(),
-                        reason,
-                        format!("write [{name}] on a line of its own, with its keys below"),
-                    );
+                    self.report(value.span(), reason, || {
+                        format!("write [{name}] on a line of its own, with its keys below")
+                    });
                 }
             }
         }
@@ -115,7 +114,7 @@ impl<'a> Table<'a> {
             match T::read(&key, value, Bounds::default(), &format!("{key} = 1")) {
                 Ok(value) => Some((key, value)),
                 Err(problem) => {
-                    self.problems.borrow_mut().push(problem);
+                    self.take_up(problem);
                     None
                 }
             }
@@ -169,12 +168,12 @@ impl<'a> Table<'a> {
         let Some(text) = entry.get_ref().as_str() else {
             let kind = Kind::OneOrMore(names.clone()).sentence();
             let reason = format!("`{name}` is {}, it must be {kind}", shown(entry.get_ref()));
-            self.report(entry.span(), reason, format!("write for example {name} = [\"{}\"]", names[0]));
+            self.report(entry.span(), reason, || format!("write for example {name} = [\"{}\"]", names[0]));
             return None;
         };
         let found = of.iter().find(|(candidate, _)| *candidate == text);
         if found.is_none() {
-            self.report(entry.span(), format!("there is no {name} `{text}`"), suggestion("names", text, &names));
+            self.report(entry.span(), format!("there is no {name} `{text}`"), || suggestion("names", text, &names));
         }
         found.map(|(_, value)| *value)
     }
@@ -193,12 +192,12 @@ impl<'a> Table<'a> {
         let (_, value) = self.entry(name)?;
         let Some(text) = value.get_ref().as_str() else {
             let reason = format!("`{name}` is {}, it must be a name in quotes", shown(value.get_ref()));
-            self.report(value.span(), reason, suggestion("names", "", names));
+            self.report(value.span(), reason, || suggestion("names", "", names));
             return None;
         };
         let index = names.iter().position(|candidate| *candidate == text);
         if index.is_none() {
-            self.report(value.span(), format!("there is no {name} `{text}`"), suggestion("names", text, names));
+            self.report(value.span(), format!("there is no {name} `{text}`"), || suggestion("names", text, names));
         }
         index
     }
@@ -221,7 +220,7 @@ impl<'a> Table<'a> {
                     } else {
                         format!("write [{name}] on a line of its own, with its keys below")
                     };
-                    self.report(span, format!("`{name}` is {}, it must be a table", shown(other)), remedy);
+                    self.report(span, format!("`{name}` is {}, it must be a table", shown(other)), || remedy);
                 }
                 read_one(None, 0..0, &scratch)
             }
@@ -268,7 +267,7 @@ impl<'a> Table<'a> {
             DeValue::Array(list) => list.iter().collect(),
             DeValue::Table(_) => {
                 let reason = format!("`{name}` is one table, it must be a list of tables");
-                self.report(value.span(), reason, format!("write [[{name}]] with double brackets"));
+                self.report(value.span(), reason, || format!("write [[{name}]] with double brackets"));
                 return Vec::new();
             }
             _ => vec![value],
@@ -277,7 +276,7 @@ impl<'a> Table<'a> {
         for element in list {
             let Some(entries) = element.get_ref().as_table() else {
                 let reason = format!("`{name}` holds {}, it must hold tables", shown(element.get_ref()));
-                self.report(element.span(), reason, format!("write [[{name}]] and the keys below it"));
+                self.report(element.span(), reason, || format!("write [[{name}]] and the keys below it"));
                 continue;
             };
             let mut table = Table::new(format!("[[{name}]]"), Some(entries), element.span(), self.problems);
@@ -297,10 +296,12 @@ impl<'a> Table<'a> {
             return;
         }
         let names: Vec<&str> = self.fields.iter().map(|field| field.name).collect();
-        for (key, _) in self.entries.into_iter().flatten() {
+        let mut keys: Vec<_> = self.entries.into_iter().flatten().collect();
+        keys.sort_by_key(|(key, _)| key.span().start);
+        for (key, _) in keys {
             if !names.contains(&key.get_ref().as_ref()) {
                 let reason = format!("there is no `{}` in {}", key.get_ref(), self.title);
-                self.report(key.span(), reason, suggestion("keys", key.get_ref(), &names));
+                self.report(key.span(), reason, || suggestion("keys", key.get_ref(), &names));
             }
         }
     }
@@ -377,10 +378,10 @@ impl<T: Value> Key<'_, '_, T> {
         let Some((_, value)) = table.entry(name) else {
             if required {
                 let reason = format!("{} has no `{name}`", table.title);
-                table.report(table.place.clone(), reason, format!("add for example {example}"));
+                table.report(table.place.clone(), reason, || format!("add for example {example}"));
             }
             return None;
         };
-        T::read(name, value, bounds, &example).map_err(|problem| table.problems.borrow_mut().push(problem)).ok()
+        T::read(name, value, bounds, &example).map_err(|problem| table.take_up(problem)).ok()
     }
 }

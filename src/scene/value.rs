@@ -1,17 +1,10 @@
 //! The kinds of values a key can have: how they are read, bounded, described and shown.
 
-use std::ops::Range;
-
 use serde_json::Value as Json;
 use toml::Spanned;
 use toml::de::DeValue;
 
-/// A mistake before it is known in which file and line it stands.
-pub(super) struct Problem {
-    pub span: Range<usize>,
-    pub reason: String,
-    pub remedy: String,
-}
+use super::problems::Problem;
 
 /// What a number may be: a limit and whether the limit itself is excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -226,6 +219,29 @@ impl Value for bool {
     }
 }
 
+/// Keys that name files.
+const PATHS: [&str; 3] = ["file", "csv", "matcap"];
+
+/// A text as it stood in double quotes before backslashes were taken for escapes.
+fn with_backslashes(text: &str) -> String {
+    let escape = |c: char| match c {
+        '\u{8}' => Some('b'),
+        '\t' => Some('t'),
+        '\n' => Some('n'),
+        '\u{c}' => Some('f'),
+        '\r' => Some('r'),
+        '\u{1b}' => Some('e'),
+        _ => None,
+    };
+    text.chars().fold(String::new(), |mut path, c| {
+        match escape(c) {
+            Some(letter) => path.extend(['\\', letter]),
+            None => path.push(c),
+        }
+        path
+    })
+}
+
 impl Value for String {
     fn kind(_: Bounds) -> Kind {
         Kind::Text
@@ -233,6 +249,17 @@ impl Value for String {
 
     fn read(name: &str, value: &Spanned<DeValue>, bounds: Bounds, example: &str) -> Result<String, Problem> {
         let text = value.get_ref().as_str().ok_or_else(|| mismatch::<String>(name, value, bounds, example))?;
+        if PATHS.contains(&name) && text.contains(char::is_control) {
+            let escaped = with_backslashes(text);
+            return Err(Problem {
+                span: value.span(),
+                reason: format!(
+                    "`{name}` has a line break, a tab or the like in it, because in double quotes a backslash and the \
+                     letter after it stand for one"
+                ),
+                remedy: format!("put the path in single quotes: {name} = '{escaped}'"),
+            });
+        }
         Ok(text.to_owned())
     }
 

@@ -34,6 +34,8 @@ pub struct FilmChecksSection {
     pub median_l2_length_error: Option<f64>,
     /// Of the number of rims on every frame.
     pub max_rims: Option<usize>,
+    /// Of the number of frames that ran into the limit of steps before they settled.
+    pub max_unconverged: Option<usize>,
     /// Of the largest move of a vertex from any frame to the next, in units of the median over the film of each
     /// frame's largest move.
     pub max_jump: Option<f64>,

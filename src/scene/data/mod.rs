@@ -46,6 +46,8 @@ pub struct Scene {
     pub start: StartSection,
     /// Stages of the relaxation; empty means the default ones.
     pub phases: Vec<PhaseSection>,
+    /// What holds for all of them.
+    pub relaxation: RelaxationSection,
     /// Target bending angles.
     pub bending: Option<BendingSection>,
     /// Point constraints.

@@ -29,6 +29,90 @@ pub struct PhaseSection {
     pub max_steps: usize,
     /// or, as long as there are rims, this many more.
     pub untangle_steps: usize,
+    /// Whether it changes default phases; left out, it is a phase of its own.
+    pub like: Option<LikeDefault>,
+}
+
+/// `like = "default"` or `index = 2` in a `[[phase]]`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LikeDefault {
+    /// The default phase that is changed, counted from 1; left out, all of them.
+    pub index: Option<usize>,
+    /// The keys that say how. All others of the section mean nothing.
+    pub given: Vec<&'static str>,
+}
+
+impl PhaseSection {
+    /// A phase with the keys that this section gives.
+    pub fn over(&self, phase: &PhaseSection) -> PhaseSection {
+        let Some(LikeDefault { given, .. }) = &self.like else { return self.clone() };
+        let from = |key: &str| if given.contains(&key) { self } else { phase };
+        PhaseSection {
+            method: from("method").method,
+            epsilon: from("epsilon").epsilon,
+            dt: from("dt").dt,
+            turn: from("turn").turn,
+            feedback: from("feedback").feedback,
+            periods: from("periods").periods,
+            crease: from("crease").crease,
+            accelerate: from("accelerate").accelerate,
+            tolerance: from("tolerance").tolerance,
+            min_steps: from("min_steps").min_steps,
+            max_steps: from("max_steps").max_steps,
+            untangle_steps: from("untangle_steps").untangle_steps,
+            like: None,
+        }
+    }
+
+    /// The keys that are passed on by [`PhaseSection::over`].
+    pub const KEYS: [&str; 12] = [
+        "method",
+        "epsilon",
+        "dt",
+        "turn",
+        "feedback",
+        "periods",
+        "crease",
+        "accelerate",
+        "tolerance",
+        "min_steps",
+        "max_steps",
+        "untangle_steps",
+    ];
+}
+
+impl std::fmt::Display for PhaseSection {
+    /// As it is written in a scene.
+    fn fmt(&self, f: &mut std::fmt::Formatter) -> std::fmt::Result {
+        let method = match self.method {
+            MethodName::Implicit => "implicit",
+            MethodName::Gradient => "gradient",
+            MethodName::Newton => "newton",
+        };
+        writeln!(f, "[[phase]]")?;
+        writeln!(f, "method = {method:?}")?;
+        writeln!(f, "epsilon = {:?}", self.epsilon)?;
+        writeln!(f, "dt = {:?}", self.dt)?;
+        if let Some(turn) = self.turn {
+            writeln!(f, "turn = {turn:?}")?;
+        }
+        writeln!(f, "feedback = {:?}", self.feedback)?;
+        writeln!(f, "periods = {:?}", self.periods)?;
+        writeln!(f, "crease = {:?}", self.crease)?;
+        writeln!(f, "accelerate = {}", self.accelerate)?;
+        writeln!(f, "tolerance = {:?}", self.tolerance)?;
+        writeln!(f, "min_steps = {}", self.min_steps)?;
+        writeln!(f, "max_steps = {}", self.max_steps)?;
+        writeln!(f, "untangle_steps = {}", self.untangle_steps)
+    }
+}
+
+/// `[relaxation]`: of all phases.
+#[derive(Clone, Copy, Debug, PartialEq, Default)]
+pub struct RelaxationSection {
+    /// The weight ε₁ of bending in the last phase and in every frame of a film that follows; in no phase is it less.
+    /// Left out, it is what phases say.
+    pub bending_stiffness: Option<f64>,
 }
 
 impl Default for PhaseSection {
@@ -46,6 +130,7 @@ impl Default for PhaseSection {
             min_steps: 3,
             max_steps: 400,
             untangle_steps: 0,
+            like: None,
         }
     }
 }

@@ -51,6 +51,8 @@ pub enum Extrapolation {
 pub struct ClockSection {
     /// Number of frames; 1 is a static scene.
     pub frames: usize,
+    /// Whether it was left out of a scene of all classes: there is a frame for each, and the mesh says how many.
+    pub a_frame_for_each_class: bool,
     /// Time of the first frame.
     pub start: f64,
     /// Time of the last frame or, in a film that loops, of the one after it.
@@ -72,10 +74,16 @@ pub struct ClockSection {
     pub max_strain: f64,
 }
 
+impl ClockSection {
+    /// Frame numbers have six digits in file names.
+    pub const MOST_FRAMES: usize = 999_999;
+}
+
 impl Default for ClockSection {
     fn default() -> Self {
         Self {
             frames: 1,
+            a_frame_for_each_class: false,
             start: 0.0,
             end: 1.0,
             looping: false,
