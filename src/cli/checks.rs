@@ -38,6 +38,18 @@ pub fn checks_of(checks: &ChecksSection, film: &[FrameReport]) -> Vec<Check> {
         check("max_mean_distance", checks.max_mean_distance, last.and_then(|r| r.mean_distance), at_most),
         check("max_pin_distance", checks.max_pin_distance, last.and_then(|r| r.pin_distance), at_most),
         check(
+            "rms_bending_error",
+            checks.rms_bending_error,
+            last.and_then(|r| r.bending_error).map(|e| e.rms_degrees),
+            at_most,
+        ),
+        check(
+            "max_bending_error",
+            checks.max_bending_error,
+            last.and_then(|r| r.bending_error).map(|e| e.max_degrees),
+            at_most,
+        ),
+        check(
             "film.max_l2_length_error",
             film_checks.max_l2_length_error,
             largest(film, |r| r.l2_length_error),

@@ -17,6 +17,7 @@ use super::inspect::Inspection;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, PipelineError, Summary};
 use super::progress::Bar;
+use super::verdict::verdict;
 use crate::cache::CacheError;
 use crate::movie::{self, Leftovers};
 use crate::scene::{MeshSection, OutputSection, Scene};
@@ -105,8 +106,10 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             write_curves_of_film(&folder, &inspection)?;
             progress.clear();
             clear_leftovers(&folder, None)?;
-            say_step_limit(&inspection);
-            Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
+            writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
+            out.flush()?;
+            say_verdict(&inspection, &scene);
+            Ok(())
         }
         Command::Render { film, pictures } => {
             let (mut scene, folder) = open(film)?;
@@ -174,7 +177,8 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
         writeln!(out)?;
         inspection.write_checks(out)?;
     }
-    say_step_limit(&inspection);
+    out.flush()?;
+    say_verdict(&inspection, &scene);
     all_is_well(&inspection)
 }
 
@@ -199,9 +203,10 @@ fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), 
 /// Files that are listed by name.
 const NAMED: usize = 8;
 
-/// Says on standard error, in one line, which frames ran into the limit of steps.
-fn say_step_limit(inspection: &Inspection) {
-    step_limit_line(&inspection.frames).iter().for_each(|line| say(format_args!("warning: {line}")));
+/// Says on standard error which frames ran into the limit of steps and what the result is not, on a line each.
+fn say_verdict(inspection: &Inspection, scene: &Scene) {
+    let lines = [step_limit_line(&inspection.frames), verdict(&inspection.frames, &scene.checks)];
+    lines.iter().flatten().for_each(|line| say(format_args!("warning: {line}")));
 }
 
 /// One frame has no curves.

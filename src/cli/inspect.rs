@@ -62,12 +62,47 @@ impl Inspection {
         ];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];
         rows.extend(self.frames.iter().map(row));
+        for (title, value) in EXTRAS {
+            // Columns for what only some films have.
+            if self.frames.iter().any(|report| value(report).is_some()) {
+                rows[0].push(title.to_owned());
+                let cells = self.frames.iter().map(|report| value(report).unwrap_or_else(|| "-".to_owned()));
+                rows[1..].iter_mut().zip(cells).for_each(|(row, cell)| row.push(cell));
+            }
+        }
         write_table(out, &rows, &["class"])?;
+        self.write_components(out)?;
         if !self.checks.is_empty() {
             writeln!(out)?;
             self.write_checks(out)?;
         }
         Ok(())
+    }
+
+    /// The components of the last frame, where there are several.
+    fn write_components(&self, out: &mut impl Write) -> io::Result<()> {
+        let components = self.frames.last().map_or(&[][..], |last| &last.components);
+        if components.is_empty() {
+            return Ok(());
+        }
+        let heading =
+            ["component", "faces", "L2 error", "max error", "rims", "pinch points", "steps", "restarts", "converged"];
+        let mut rows = vec![heading.map(str::to_owned).to_vec()];
+        for (k, component) in components.iter().enumerate() {
+            rows.push(vec![
+                (k + 1).to_string(),
+                component.faces.to_string(),
+                percent(component.l2_length_error),
+                percent(component.max_length_error),
+                component.rims.to_string(),
+                component.pinch_points.to_string(),
+                component.cursor.steps.to_string(),
+                component.cursor.restarts.to_string(),
+                if component.converged { "yes" } else { "NO" }.to_owned(),
+            ]);
+        }
+        writeln!(out)?;
+        write_table(out, &rows, &[])
     }
 
     pub fn write_checks(&self, out: &mut impl Write) -> io::Result<()> {
@@ -97,9 +132,26 @@ impl Inspection {
             last.rims,
             last.pinch_points,
             if last.spin_class.is_empty() { String::new() } else { format!(", class {}", last.spin_class) },
-        )
+        )?;
+        match last.cursor.restarts {
+            0 => {}
+            1 => writeln!(out, "frames were drawn anew once, because rims were left")?,
+            times => writeln!(out, "frames were drawn anew {times} times, because rims were left")?,
+        }
+        if last.cursor.mirrored {
+            writeln!(out, "random frames ended in the mirror image, which was turned the right side out")?;
+        }
+        Ok(())
     }
 }
+
+/// Columns that are left out where no frame has a value.
+const EXTRAS: [(&str, fn(&FrameReport) -> Option<String>); 4] = [
+    ("angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.rms_degrees))),
+    ("max angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.max_degrees))),
+    ("largest dent", |report| report.largest_dent.map(short)),
+    ("volume", |report| report.enclosed_volume.map(short)),
+];
 
 fn row(report: &FrameReport) -> Vec<String> {
     vec![

@@ -16,6 +16,7 @@ mod pipeline;
 mod progress;
 mod selections;
 mod text_table;
+mod verdict;
 
 pub use checks::{Check, checks_of, step_limit_line};
 pub use commands::main;
@@ -23,3 +24,4 @@ pub use curves::{curves_csv, curves_svg};
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use pipeline::{PipelineError, Summary};
 pub use progress::Progress;
+pub use verdict::verdict;

@@ -262,10 +262,8 @@ fn simulate_for(
         Cache::open_or_create(folder, &film, &simulation.mesh, places)?
     };
     let kept = cache.last_valid_frame()?.unwrap_or(0);
-    let mut restarts = 0;
     if kept > 0 {
         let state = cache.read_frame(kept)?;
-        restarts = state.report.cursor.restarts;
         let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
         let checkpoint = Checkpoint {
             frame: kept,
@@ -281,10 +279,9 @@ fn simulate_for(
     arrivals.reach(kept);
     for number in kept + 1..=scene.clock.frames {
         let start = Instant::now();
-        let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None, restarts };
+        let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
         let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
         let mut report = frame.report;
-        restarts = report.cursor.restarts;
         report.seconds = start.elapsed().as_secs_f64();
         let mut rims = vec![false; simulation.mesh.edge_count()];
         frame.rims.iter().for_each(|e| rims[e.index()] = true);
@@ -308,7 +305,6 @@ struct Watcher<'a> {
     progress: &'a mut dyn Progress,
     arrivals: &'a Arrivals,
     phase: Option<(usize, usize)>,
-    restarts: usize,
 }
 
 impl Observer for Watcher<'_> {
@@ -324,17 +320,6 @@ impl Observer for Watcher<'_> {
             self.progress.begin(&name, Some(now.max_steps));
         }
         self.progress.advance(now.step, Some(now.l2_length_error));
-        if now.restarts > self.restarts {
-            self.restarts = now.restarts;
-            self.progress.note(&format!("frame {}: rims were left, so frames were drawn anew at random", now.frame));
-        }
-        if now.step >= now.max_steps && !now.settled && !following {
-            self.progress.note(&format!(
-                "frame {}: {name} did not converge in {} steps: frames still turn by {:.3} degrees a step, more than \
-                 the tolerance of {}",
-                now.frame, now.step, now.turn, now.tolerance
-            ));
-        }
         if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

@@ -37,6 +37,7 @@ impl Simulation {
             rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
             pinch_points: pinch_points.len(),
             spin_class: if pinch_points.is_empty() { class_digits(&class) } else { NO_CLASS.into() },
+            asked_class: self.components.iter().map(|relaxation| class_digits(&relaxation.class)).collect(),
             energy: sum(|part| part.energy),
             period_error: (sum(|part| part.periods[0]) / sum(|part| part.periods[1])).sqrt(),
             curvature_error: self.curvature_error,

@@ -125,6 +125,9 @@ pub struct FrameReport {
     /// q_f on every generator, as digits, measured on the positions; [`NO_CLASS`] while there are pinch points, because a
     /// surface that is pinched is no immersion and in no class.
     pub spin_class: String,
+    /// The class that the frame was to have.
+    #[serde(default)]
+    pub asked_class: String,
     /// Energy of the frames (Eq. 20) with the last phase's ε.
     pub energy: f64,
     /// Period part of the edge vectors relative to their norm.

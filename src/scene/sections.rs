@@ -165,6 +165,17 @@ fn checks(table: &mut Table) -> ChecksSection {
             .key("max_pin_distance", "Bound on the distance of pinned vertices from where they belong.")
             .at_least(0.0)
             .optional(1e-9),
+        rms_bending_error: table
+            .key(
+                "rms_bending_error",
+                "Bound on the root mean square distance of bending angles from their targets, in degrees.",
+            )
+            .at_least(0.0)
+            .optional(1.0),
+        max_bending_error: table
+            .key("max_bending_error", "Bound on the largest distance of a bending angle from its target, in degrees.")
+            .at_least(0.0)
+            .optional(5.0),
         film: table.table("film", "Bounds on all frames.", film_checks),
     }
 }

@@ -20,6 +20,10 @@ pub struct ChecksSection {
     pub max_mean_distance: Option<f64>,
     /// Bound on the distance of pinned vertices from where they belong.
     pub max_pin_distance: Option<f64>,
+    /// Bound on the root mean square distance of bending angles from their targets, in degrees.
+    pub rms_bending_error: Option<f64>,
+    /// Bound on the largest such distance, in degrees.
+    pub max_bending_error: Option<f64>,
     /// Bounds on all frames.
     pub film: FilmChecksSection,
 }
