@@ -140,7 +140,7 @@ fn turned_frames_are_frames_of_the_mirror_image() {
 /// A torus in every class: the knot of lengths has two mirror images, and classes are kept.
 #[test]
 fn classes_are_kept() {
-    let torus = bare(shapes::torus(1.0, 0.4, 24, 14).expect("a torus"));
+    let torus = bare(shapes::torus(1.0, 0.4, 48, 28).expect("a torus"));
     for class in ["00", "01", "10"] {
         let report = relaxed(&torus, &format!("[start]\nrandom = 2\n[spin]\nclass = \"{class}\"")).report;
         assert_eq!(report.spin_class, class);

@@ -20,7 +20,7 @@ const ALL_RESTARTS: usize = 8;
 /// One sentence about the frame that a film leads to, or about each frame where every one is of another class; none
 /// where all is well. What the scene bounds under `[checks]` is measured by that.
 pub fn verdict(film: &[FrameReport], checks: &ChecksSection) -> Option<String> {
-    let last = film.last()?;
+    let last = film.last().filter(|last| !last.on_the_way)?;
     let is_gallery = film.iter().any(|report| report.asked_class != last.asked_class);
     let results = if is_gallery { film } else { std::slice::from_ref(last) };
     let bad: Vec<(&FrameReport, Vec<String>)> = results
