@@ -101,10 +101,10 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
         Command::Simulate { film, restart } => {
             let (scene, folder) = open(film)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
-            let inspection = Inspection::of(&folder)?;
-            write_curves_of_film(&folder, &inspection)?;
             progress.clear();
             clear_leftovers(&folder, None)?;
+            let inspection = Inspection::of(&folder)?;
+            write_curves_of_film(&folder, &inspection)?;
             say_step_limit(&inspection);
             Ok(writeln!(out, "{}", sentence("frames computed", summary, &folder))?)
         }
@@ -163,10 +163,10 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
     let mut picturing = progress.below();
     let [simulated, rendered] = pipeline::run(&scene, &folder, &frames, progress, &mut picturing)?;
     picturing.clear();
-    let inspection = Inspection::of(&folder)?;
-    write_curves_of_film(&folder, &inspection)?;
     progress.clear();
     clear_leftovers(&folder, Some(&scene.output))?;
+    let inspection = Inspection::of(&folder)?;
+    write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
     inspection.write_summary(out)?;
