@@ -149,6 +149,27 @@ fn principal_axes_of_round_things_are_those_of_space() {
     }
 }
 
+/// Onto the mirror image of a sphere many rotations are as good, and onto points on a line.
+#[test]
+fn of_motions_that_are_as_close_the_one_that_turns_least_is_taken() {
+    let (positions, _) = sphere(3);
+    let weights = vec![1.0; positions.len()];
+    let mirror: Vec<DVec3> = positions.iter().map(|&p| DVec3::new(-p.x, p.y, p.z)).collect();
+    let line: Vec<DVec3> = positions.iter().map(|&p| DVec3::X * p.x).collect();
+    for factor in [1.0, 0.2, 2.0_f64.powi(-7), 37.0] {
+        let onto = |reference: &[DVec3], positions: &[DVec3]| {
+            RigidMotion::onto(&scaled(reference, factor), &scaled(positions, factor), &weights)
+        };
+        let turned = onto(&mirror, &positions);
+        // None is as good as half turns about y and z.
+        for &p in &positions {
+            assert!(turned.point(p * factor).distance(p * factor) < 1e-9 * factor, "scale {factor}");
+        }
+        let still = onto(&line, &line);
+        assert!(still.point(DVec3::Z * factor).distance(DVec3::Z * factor) < 1e-9 * factor, "scale {factor}");
+    }
+}
+
 /// Rotation from the scene to the eye, as an EXR picture says it.
 fn world_to_camera(picture: &std::path::Path) -> Vec<f32> {
     let bytes = std::fs::read(picture).unwrap();
