@@ -39,6 +39,8 @@ fn one_default_phase_is_changed_and_the_others_stay() {
     // Without a word about it nothing changes.
     assert_eq!(sections("[[phase]]\nindex = 3\n"), defaults);
     assert_eq!(sections("[[phase]]\nlike = 'default'\n"), defaults);
+    let stiffer = scene(&format!("{SPHERE}[bending]\nbending_stiffness = 0.1\n"));
+    assert_eq!((stiffer.bending, stiffer.relaxation.bending_stiffness), (None, Some(0.1)), "no target angles");
     let phases = phases_from_scene(&scene(SPHERE), FACES).unwrap();
     assert_eq!(phases, default_phases(FACES));
 }
@@ -72,13 +74,13 @@ fn mistakes_have_their_place_and_a_remedy() {
         ("[[phase]]\nlike = 'default'\n[[phase]]\nlike = 'default'\n".into(), "phase[1].like", "give one an `index`"),
         (index(2) + "max_steps = 1\n", "phase[0]", "`min_steps` of default phase 2 is then 3"),
         (
-            "[[phase]]\nepsilon = [1, 0.3, 1, 1]\n[relaxation]\nbending_stiffness = 0.1\n".into(),
-            "relaxation.bending_stiffness",
+            "[[phase]]\nepsilon = [1, 0.3, 1, 1]\n[bending]\nbending_stiffness = 0.1\n".into(),
+            "bending.bending_stiffness",
             "remove one of them",
         ),
         (
-            "[[phase]]\nindex = 5\nepsilon = [1, 0.3, 1, 1]\n[relaxation]\nbending_stiffness = 0.1\n".into(),
-            "relaxation.bending_stiffness",
+            "[[phase]]\nindex = 5\nepsilon = [1, 0.3, 1, 1]\n[bending]\nbending_stiffness = 0.1\n".into(),
+            "bending.bending_stiffness",
             "remove one of them",
         ),
     ] {
@@ -89,8 +91,10 @@ fn mistakes_have_their_place_and_a_remedy() {
     for (text, part) in [
         ("[[phase]]\nindex = 0\n", "`index` is 0, it must be an integer at least 1"),
         ("[[phase]]\nlike = 'defaults'\n", "there is no like `defaults`"),
-        ("[relaxation]\nbending_stiffness = -1\n", "at least 0"),
-        ("[relaxation]\nstiffness = 1\n", "bending_stiffness"),
+        ("[bending]\nbending_stiffness = -1\n", "at least 0"),
+        ("[bending]\nstiffness = 1\n", "bending_stiffness"),
+        ("[bending]\nbending_stiffness = 1\namount = 2\n", "says no angles"),
+        ("[bending]\n", "says no angles"),
     ] {
         let error = Scene::parse(&format!("{SPHERE}{text}"), "test", "".as_ref()).expect_err("a mistake");
         assert!(error.to_string().contains(part), "{error}");
@@ -106,12 +110,12 @@ fn mistakes_have_their_place_and_a_remedy() {
 fn the_stiffness_is_that_of_the_last_phase_and_least_of_all_others() {
     let bending = |text: &str| sections(text).iter().map(|phase| phase.epsilon[1]).collect::<Vec<_>>();
     assert_eq!(bending(""), [1.0, 0.1, 0.01, 1e-3, 1e-4]);
-    assert_eq!(bending("[relaxation]\nbending_stiffness = 0.005\n"), [1.0, 0.1, 0.01, 0.005, 0.005]);
-    assert_eq!(bending("[relaxation]\nbending_stiffness = 0.5\n"), [1.0, 0.5, 0.5, 0.5, 0.5]);
-    assert_eq!(bending("[relaxation]\nbending_stiffness = 0\n"), [1.0, 0.1, 0.01, 1e-3, 0.0]);
-    assert_eq!(bending("[start]\nfrom = 'mesh'\n[relaxation]\nbending_stiffness = 0.02\n"), [0.02]);
-    assert_eq!(bending("[[phase]]\ndt = 3\n[relaxation]\nbending_stiffness = 0.02\n"), [0.02]);
-    let other = "[[phase]]\nindex = 2\nepsilon = [1, 0.2, 1, 1]\n[relaxation]\nbending_stiffness = 0.02\n";
+    assert_eq!(bending("[bending]\nbending_stiffness = 0.005\n"), [1.0, 0.1, 0.01, 0.005, 0.005]);
+    assert_eq!(bending("[bending]\nbending_stiffness = 0.5\n"), [1.0, 0.5, 0.5, 0.5, 0.5]);
+    assert_eq!(bending("[bending]\nbending_stiffness = 0\n"), [1.0, 0.1, 0.01, 1e-3, 0.0]);
+    assert_eq!(bending("[start]\nfrom = 'mesh'\n[bending]\nbending_stiffness = 0.02\n"), [0.02]);
+    assert_eq!(bending("[[phase]]\ndt = 3\n[bending]\nbending_stiffness = 0.02\n"), [0.02]);
+    let other = "[[phase]]\nindex = 2\nepsilon = [1, 0.2, 1, 1]\n[bending]\nbending_stiffness = 0.02\n";
     assert_eq!(bending(other), [1.0, 0.2, 0.02, 0.02, 0.02]);
 }
 
@@ -121,7 +125,7 @@ fn asking_for_more_bending_keeps_random_starts_relaxing() {
     for mesh in ["shape = 'torus'\ncolumns = 24\nrows = 16", "shape = 'sphere'\nsubdivisions = 8"] {
         for (stiffness, accuracy) in [(0.001, 0.02), (0.01, 0.08)] {
             let scene =
-                scene(&format!("[mesh]\n{mesh}\n[start]\nrandom = 1\n[relaxation]\nbending_stiffness = {stiffness}\n"));
+                scene(&format!("[mesh]\n{mesh}\n[start]\nrandom = 1\n[bending]\nbending_stiffness = {stiffness}\n"));
             let mut simulation = Simulation::from_scene(&scene).unwrap();
             let report = simulation.relax(None, &mut Unobserved).unwrap().report;
             let what = format!("{mesh} with {stiffness}: {:.4}", report.l2_length_error);
@@ -136,8 +140,8 @@ fn asking_for_more_bending_keeps_random_starts_relaxing() {
 fn target_angles_are_reached_better_with_more_stiffness() {
     let angles = |stiffness: f64, clock: &str| -> Vec<f64> {
         let text = format!(
-            "[mesh]\nshape = 'disk'\nrings = 8\n[start]\nfrom = 'mesh'\n[[bending.region]]\n\
-             box = [[-2, -1e-6, -1], [2, 1e-6, 1]]\nangle = 40\n[relaxation]\nbending_stiffness = {stiffness}\n{clock}"
+            "[mesh]\nshape = 'disk'\nrings = 8\n[start]\nfrom = 'mesh'\n[bending]\nbending_stiffness = \
+             {stiffness}\n[[bending.region]]\nbox = [[-2, -1e-6, -1], [2, 1e-6, 1]]\nangle = 40\n{clock}"
         );
         let scene = scene(&text);
         let mut simulation = Simulation::from_scene(&scene).unwrap();
@@ -169,7 +173,7 @@ fn printed_phases_can_be_pasted_and_change_nothing() {
     for (k, more) in [
         "",
         "[[phase]]\nindex = 2\nturn = 1.5\nmethod = 'gradient'\n",
-        "[relaxation]\nbending_stiffness = 1e-5\n",
+        "[bending]\nbending_stiffness = 1e-5\n",
         "[start]\nfrom = 'mesh'\n",
     ]
     .into_iter()

@@ -9,7 +9,7 @@ use immerse::{
     render::{Camera, Extent, Output},
     scene::CameraSection,
 };
-use support::{Random, subdivide};
+use support::{Random, program, subdivide};
 
 /// A box with its corners at these multiples of its sides.
 fn cuboid(sides: DVec3) -> (Vec<DVec3>, Vec<[u32; 3]>) {
@@ -145,6 +145,74 @@ fn principal_axes_of_round_things_are_those_of_space() {
         let motion = RigidMotion::to_principal_axes(&scaled(&egg, factor), &weights);
         for &p in &egg {
             assert!(motion.point(p * factor).distance(usual.point(p) * factor) < 1e-12 * factor);
+        }
+    }
+}
+
+/// Onto the mirror image of a sphere many rotations are as good, and onto points on a line.
+#[test]
+fn of_motions_that_are_as_close_the_one_that_turns_least_is_taken() {
+    let (positions, _) = sphere(3);
+    let weights = vec![1.0; positions.len()];
+    let mirror: Vec<DVec3> = positions.iter().map(|&p| DVec3::new(-p.x, p.y, p.z)).collect();
+    let line: Vec<DVec3> = positions.iter().map(|&p| DVec3::X * p.x).collect();
+    for factor in [1.0, 0.2, 2.0_f64.powi(-7), 37.0] {
+        let onto = |reference: &[DVec3], positions: &[DVec3]| {
+            RigidMotion::onto(&scaled(reference, factor), &scaled(positions, factor), &weights)
+        };
+        let turned = onto(&mirror, &positions);
+        // None is as good as half turns about y and z.
+        for &p in &positions {
+            assert!(turned.point(p * factor).distance(p * factor) < 1e-9 * factor, "scale {factor}");
+        }
+        let still = onto(&line, &line);
+        assert!(still.point(DVec3::Z * factor).distance(DVec3::Z * factor) < 1e-9 * factor, "scale {factor}");
+    }
+}
+
+/// Rotation from the scene to the eye, as an EXR picture says it.
+fn world_to_camera(picture: &std::path::Path) -> Vec<f32> {
+    let bytes = std::fs::read(picture).unwrap();
+    let name = b"worldToCamera\0m44f\0\x40\0\0\0";
+    let start = bytes.windows(name.len()).position(|window| window == name).unwrap() + name.len();
+    let number = |k: usize| f32::from_le_bytes(bytes[start + 4 * k..start + 4 * k + 4].try_into().unwrap());
+    [0, 1, 2, 4, 5, 6, 8, 9, 10].map(number).to_vec()
+}
+
+/// A relaxed box as the program shows it.
+#[test]
+fn a_scene_in_another_unit_has_the_same_view() {
+    let folder = tempfile::TempDir::new().unwrap();
+    let view = |name: &str, factor: f64, shift: f64, start: &str| {
+        let (corners, faces) = cuboid(DVec3::new(4.0, 2.0, 0.7));
+        let mut positions = corners;
+        let faces = subdivide(&mut positions, &faces);
+        let mut obj = String::new();
+        positions.iter().for_each(|p| {
+            let p = *p * factor + shift;
+            obj.push_str(&format!("v {:?} {:?} {:?}\n", p.x, p.y, p.z));
+        });
+        faces.iter().for_each(|[a, b, c]| obj.push_str(&format!("f {} {} {}\n", a + 1, b + 1, c + 1)));
+        std::fs::write(folder.path().join(format!("{name}.obj")), obj).unwrap();
+        let text = format!(
+            "[mesh]\nfile = '{name}.obj'\n[start]\n{start}\n[bending]\nfrom = 'mesh'\n\
+             [output]\nsize = [32, 24]\nsamples = 1\nformat = 'exr'\n"
+        );
+        std::fs::write(folder.path().join(format!("{name}.toml")), text).unwrap();
+        let (code, _, err) = program(folder.path(), &["run", &format!("{name}.toml"), "--out", name, "-q"]);
+        assert_eq!(code, 0, "{err}");
+        world_to_camera(&folder.path().join(name).join("000001.exr"))
+    };
+    for start in ["from = 'mesh'", "random = 1"] {
+        let usual = view("usual", 1.0, 0.0, start);
+        assert_eq!(view("small", 2.0_f64.powi(-7), 0.0, start), usual, "{start}");
+        for (name, factor, shift) in [("fifth", 0.2, 0.0), ("far", 1.0, 1e8)] {
+            let other = view(name, factor, shift, start);
+            let apart = other.iter().zip(&usual).map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
+            assert!(apart < 1e-4, "{name}, {start}: {apart}");
+        }
+        for name in ["usual", "small", "fifth", "far"] {
+            std::fs::remove_dir_all(folder.path().join(name)).unwrap();
         }
     }
 }

@@ -129,6 +129,14 @@ pub fn step_limit_line(film: &[FrameReport]) -> Option<String> {
     let unconverged: Vec<&FrameReport> = film.iter().filter(|report| report.is_unconverged()).collect();
     let (first, last) = (unconverged.first()?.frame, unconverged.last()?.frame);
     let (count, all) = (unconverged.len(), film.len());
+    let worst = unconverged.iter().map(|report| report.l2_length_error).fold(0.0, f64::max);
+    let error = super::text_table::percent(worst);
+    if all == 1 {
+        return Some(format!(
+            "the frame ran into the step limit before it settled; its length error is {error}; raise `max_steps` of the \
+             last [[phase]], or its `tolerance`"
+        ));
+    }
     // A first frame goes through the phases, those that follow have a limit of their own.
     let limit = match (first, last) {
         (1, 1) => "`max_steps` of the last [[phase]]",
@@ -136,15 +144,9 @@ pub fn step_limit_line(film: &[FrameReport]) -> Option<String> {
         _ => "`max_steps` under [clock]",
     };
     let frames = ranges(unconverged.iter().map(|report| report.frame));
-    let worst = unconverged.iter().map(|report| report.l2_length_error).fold(0.0, f64::max);
-    let which = if all == 1 {
-        "the frame ran into the step limit before it settled".to_owned()
-    } else {
-        format!("{count} of {all} frames ran into the step limit before they settled ({frames})")
-    };
     Some(format!(
-        "{which}; their length error is up to {}; raise {limit}, raise `tolerance` there, or make the film of more frames",
-        super::text_table::percent(worst)
+        "{count} of {all} frames ran into the step limit before they settled ({frames}); their length error is up to \
+         {error}; raise {limit}, raise `tolerance` there, or make the film of more frames"
     ))
 }
 

@@ -102,10 +102,10 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
         Command::Simulate { film, restart } => {
             let (scene, folder) = open(film)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
-            let inspection = Inspection::of(&folder)?;
-            write_curves_of_film(&folder, &inspection)?;
             progress.clear();
             clear_leftovers(&folder, None)?;
+            let inspection = Inspection::of(&folder)?;
+            write_curves_of_film(&folder, &inspection)?;
             writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
             out.flush()?;
             say_verdict(&inspection, &scene);
@@ -166,10 +166,10 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
     let mut picturing = progress.below();
     let [simulated, rendered] = pipeline::run(&scene, &folder, &frames, progress, &mut picturing)?;
     picturing.clear();
-    let inspection = Inspection::of(&folder)?;
-    write_curves_of_film(&folder, &inspection)?;
     progress.clear();
     clear_leftovers(&folder, Some(&scene.output))?;
+    let inspection = Inspection::of(&folder)?;
+    write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
     inspection.write_summary(out)?;

@@ -87,7 +87,9 @@ pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     )];
     if scene.spin == SpinSection::All {
         let frames = clock_of(scene, mesh).map_or(1, |clock| clock.frames);
-        notes.push(format!("{frames} frames, one for each of the first so many of 2^{} classes", mesh.betti()));
+        let betti = mesh.betti();
+        let which = if betti < 20 && frames == 1 << betti { "each of" } else { "the first of" };
+        notes.push(format!("{frames} frames, one for {which} the 2^{betti} classes"));
     }
     let class = simulation.spin().class(mesh, &simulation.metric, &simulation.homology);
     for (k, (generator, q)) in simulation.homology.generators().iter().zip(class).enumerate() {

@@ -131,7 +131,7 @@ pub fn phase_sections(scene: &Scene, faces: usize) -> Result<Vec<PhaseSection>, 
         let says_epsilon = |k: usize| scene.source.locate(&format!("phase[{k}].epsilon")).is_some();
         let is_said_twice = (0..).zip(&scene.phases).any(|(k, section)| is_of_last((k, section)) && says_epsilon(k));
         if is_said_twice && last.epsilon[1] != stiffness {
-            return Err(AtKey { key: "relaxation.bending_stiffness".into(), error: PhaseError::TwoStiffnesses });
+            return Err(AtKey { key: "bending.bending_stiffness".into(), error: PhaseError::TwoStiffnesses });
         }
         last.epsilon[1] = stiffness;
         earlier.iter_mut().for_each(|phase| phase.epsilon[1] = phase.epsilon[1].max(stiffness));

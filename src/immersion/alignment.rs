@@ -2,7 +2,7 @@
 
 use crate::algebra::{principal_axes, quaternion, upright_sign};
 use glam::{DMat3, DQuat, DVec3};
-use nalgebra::Matrix4;
+use nalgebra::{Matrix4, Vector4};
 
 /// An orientation-preserving isometry of space, `p ↦ R p + t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,7 +13,8 @@ pub struct RigidMotion {
 
 impl RigidMotion {
     /// The motion that brings `positions` closest to `reference` in the weighted least-squares sense (Horn's
-    /// quaternions). All slices are |V| long; weights are positive.
+    /// quaternions). All slices are |V| long; weights are positive. Of several that are as close, as onto the mirror image
+    /// of something round, it is the one that turns least.
     pub fn onto(reference: &[DVec3], positions: &[DVec3], weights: &[f64]) -> RigidMotion {
         let (from, to) = (mean(positions, weights), mean(reference, weights));
         // Σ w p qᵀ, whose best rotation is the top eigenvector of a symmetric matrix of its entries.
@@ -31,7 +32,13 @@ impl RigidMotion {
         );
         let rotation = if horn.iter().all(|entry| entry.is_finite()) {
             let eigen = horn.symmetric_eigen();
-            let [w, x, y, z] = eigen.eigenvectors.column(eigen.eigenvalues.imax()).into();
+            let largest = eigen.eigenvalues.max();
+            let spread = largest - eigen.eigenvalues.min();
+            let best: Vec<Vector4<f64>> = (0..4)
+                .filter(|&k| largest - eigen.eigenvalues[k] <= TIE * spread)
+                .map(|k| eigen.eigenvectors.column(k).into_owned())
+                .collect();
+            let [w, x, y, z] = nearest_to_none(&best).into();
             upward(DQuat::from_xyzw(x, y, z, w))
         } else {
             DQuat::IDENTITY
@@ -96,6 +103,16 @@ impl RigidMotion {
 
 /// Relative differences of moments below which they are equal up to rounding.
 const TIE: f64 = 1e-9;
+
+/// The rotation closest to none, as w, x, y, z, among those spanned by some orthonormal ones, all of which are as good:
+/// rounding must not choose. If all of them are half turns, the one nearest to that about x, y or z.
+fn nearest_to_none(best: &[Vector4<f64>]) -> Vector4<f64> {
+    if let [only] = best {
+        return *only;
+    }
+    let projected = |k: usize| best.iter().map(|v| v * v[k]).sum::<Vector4<f64>>();
+    (0..4).map(projected).find(|v| v.norm() > 1e-3).unwrap_or_else(Vector4::x)
+}
 
 /// Of the two quaternions of a rotation the one nearer to 1.
 fn upward(rotation: DQuat) -> DQuat {

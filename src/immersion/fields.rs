@@ -64,7 +64,8 @@ impl Fields {
     /// - length error: percent, per face, root mean square over its edges;
     /// - Gaussian curvature: [`gaussian_curvatures`]; mean curvature: [`mean_curvatures`]; both per vertex;
     /// - conformal factor: [`ConformalFactor`] against the first frame, per vertex;
-    /// - energy density: per face, half the energy of its hinges (Eq. 39, with no target bending angles) over its area;
+    /// - energy density: per face, half the energy of its hinges (Eq. 39, with no target bending angles) over its area. It
+    ///   integrates to the energy; faces at the boundary have a hinge less, and so have less of it;
     /// - bending angle: degrees, per face, root mean square over its interior edges;
     /// - generators: per face, the number from 1 of the strip through it, the lowest of several, or 0.
     ///

@@ -97,7 +97,7 @@ impl Picture {
 }
 
 /// Bytes from the start of a file, or its end, among which it says who made it.
-const HEAD: u64 = 64 << 10;
+const HEAD: u64 = 16 << 10;
 const TAIL: i64 = 256;
 
 /// The fingerprint of the film that a file is of, if it says so; `None` if this program did not make it.

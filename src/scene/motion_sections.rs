@@ -133,7 +133,17 @@ fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
     Some(section)
 }
 
-pub(super) fn bending(table: &mut Table) -> BendingSection {
+/// Target angles, if it says any, and the stiffness of bending.
+pub(super) fn bending(table: &mut Table) -> (Option<BendingSection>, Option<f64>) {
+    let stiffness = table
+        .key(
+            "bending_stiffness",
+            "The weight of bending, epsilon[1], in the last phase and in all frames of a film; in no phase is it less. Left \
+             out, it is 0.0001. With more, surfaces are smoother, come closer to target bending angles, and keep lengths \
+             less well.",
+        )
+        .at_least(0.0)
+        .optional(0.001);
     let from = table.choice(
         "from",
         "Angles of the mesh's positions, of their mirror image, or of what frames start from.",
@@ -149,14 +159,15 @@ pub(super) fn bending(table: &mut Table) -> BendingSection {
             .or(NumberSection::Constant(1.0)),
         regions: table.tables("region", "Edges with a constant angle of their own.", bending_region),
     };
-    if table.has_none_of(&["from", "file", "region"]) {
+    let says_no_angles = table.has_none_of(&["from", "file", "region"]);
+    if says_no_angles && (stiffness.is_none() || table.has("amount")) {
         table.complain(
             "from",
             "[bending] says no angles",
             "add from = \"mesh\", from = \"mirror\" or a [[bending.region]]",
         );
     }
-    section
+    ((!says_no_angles).then_some(section), stiffness)
 }
 
 fn bending_region(table: &mut Table) -> BendingRegionSection {

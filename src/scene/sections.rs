@@ -11,6 +11,7 @@ use super::table::Table;
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
     let (mesh, weld) = table.table("mesh", "The surface: a file or a generated shape.", mesh);
+    let mut bending_stiffness = None;
     let mut scene = Scene {
         mesh,
         weld,
@@ -23,8 +24,12 @@ pub(super) fn root(table: &mut Table) -> Scene {
         spin: table.table("spin", "Its regular homotopy class.", spin),
         start: table.table("start", "Where the frames start; left out, random = 0.", start),
         phases: table.tables("phase", PHASES, phase),
-        relaxation: table.table("relaxation", "What holds for all phases.", relaxation),
-        bending: table.optional_table("bending", "Target bending angles.", bending),
+        bending: table
+            .optional_table("bending", "How the surface bends, and target bending angles.", bending)
+            .and_then(|(angles, stiffness)| {
+                bending_stiffness = stiffness;
+                angles
+            }),
         pins: table.tables("pin", "Vertices held in place or led along.", pin),
         clock: table.table("clock", "Frames and their times.", clock),
         camera: table.table("camera", "The view; what is left out frames the surface by itself.", camera),
@@ -34,6 +39,7 @@ pub(super) fn root(table: &mut Table) -> Scene {
         checks: table.table("checks", "What must hold, else the run fails.", checks),
         ..Scene::default()
     };
+    scene.relaxation = RelaxationSection { bending_stiffness };
     scene.clock.a_frame_for_each_class &= scene.spin == SpinSection::All;
     scene
 }
@@ -42,21 +48,7 @@ const PHASES: &str = "A stage of the relaxation. Without any there are five: eps
      [1, 0.1, 1, 0.1] with dt = 100 (rims resolve here), [1, 0.01, 1, 0.1] and [1, 0.001, 1, 0.1] with dt = 30, and \
      [1, 0.0001, 1, 0.1] with dt = 10; frames that start from a shape go through the last one only, and so do frames \
      that follow in a film. `immerse check SCENE --phases` prints those of a scene. A [[phase]] with `index` or `like` \
-     changes default ones; others replace them.";
-
-fn relaxation(table: &mut Table) -> RelaxationSection {
-    RelaxationSection {
-        bending_stiffness: table
-            .key(
-                "bending_stiffness",
-                "The weight of bending, epsilon[1], in the last phase and in all frames of a film; in no phase is it less. \
-                 Left out, it is 0.0001. With more, surfaces are smoother, come closer to target bending angles, and keep \
-                 lengths less well.",
-            )
-            .at_least(0.0)
-            .optional(0.001),
-    }
-}
+     changes default ones; others replace them. `bending_stiffness` under [bending] is epsilon[1] of the last.";
 
 fn phase(table: &mut Table) -> PhaseSection {
     let default = PhaseSection::default();

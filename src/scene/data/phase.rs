@@ -107,7 +107,7 @@ impl std::fmt::Display for PhaseSection {
     }
 }
 
-/// `[relaxation]`: of all phases.
+/// What `[bending]` says of the phases.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub struct RelaxationSection {
     /// The weight ε₁ of bending in the last phase and in every frame of a film that follows; in no phase is it less.
