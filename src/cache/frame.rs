@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::film::MeshCounts;
+use super::manifest::MeshCounts;
 use super::npz::{ArrayReader, ArrayWriter};
 use crate::evolve::FrameReport;
 use glam::{DQuat, DVec3};

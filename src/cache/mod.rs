@@ -17,13 +17,15 @@ mod error;
 mod file;
 mod film;
 mod frame;
+mod manifest;
 mod npz;
 
 pub use crate::evolve::FrameReport;
 pub use error::CacheError;
 pub(crate) use file::write_atomically;
-pub use film::{Cache, Film, Manifest, MeshCounts};
+pub use film::Cache;
 pub use frame::FrameState;
+pub use manifest::{Film, Manifest, MeshCounts};
 
 /// Version of all files in the folder. Raised when their meaning changes.
 pub const FORMAT: u32 = 1;

@@ -48,7 +48,7 @@ pub(super) struct Relaxation {
     pub stepper: Stepper,
     pub start: StartFrom,
     pub orientation: Orientation,
-    /// Whether the start is the mesh's own shape, and nothing asks for folds.
+    /// Whether nothing in the scene asks for folds.
     pub is_smooth: bool,
     /// What random frames are drawn with; `None` for other starts.
     pub seed: Option<u64>,

@@ -314,11 +314,11 @@ impl Simulation {
     }
 }
 
-/// Whether frames start from the mesh's own shape, and the scene asks for no folds: neither by a shape that was made
-/// for them, nor by target bending angles, nor by phases of its own.
+/// Whether the scene asks for no folds: neither by a start that was made for them, nor by target bending angles, nor by
+/// phases of its own.
 fn starts_smooth(scene: &Scene) -> bool {
     let StartSection { from, formula, noise, .. } = &scene.start;
-    *from == StartFrom::Mesh
+    matches!(from, StartFrom::Mesh | StartFrom::Random(_) | StartFrom::Spectral)
         && formula.is_none()
         && noise.is_none()
         && scene.bending.is_none()

@@ -1,10 +1,11 @@
-//! No folds that the metric does not ask for: how much bending a film that starts from a smooth surface keeps.
+//! No folds that the metric does not ask for.
 //!
-//! With the ε₁ of the last phase, which is nearly nothing, a dent or a pleat costs next to no energy. A film that
-//! starts from the mesh's own shape therefore bends as stiffly as its metric allows: it starts with a larger ε₁, and
-//! comes down by a factor when a frame would not have its lengths otherwise, to stay there: a surface that can be smooth is,
-//! what must crumple is soon where other films begin. From there every frame goes on to the ε₁ of the phase, which takes out
-//! the length error that stiffness makes, and leaves a smooth surface smooth.
+//! With the ε₁ of the last phase, which is nearly nothing, a dent or a pleat costs next to no energy. Where the scene
+//! asks for no folds, the frames of a film are therefore settled twice: first with as large an ε₁ as their lengths allow,
+//! which smooths out what the metric does not ask for, then with that of the phase, which takes out the length error
+//! that stiffness makes. A film begins at the largest ε₁ and comes down when a frame would not have its lengths
+//! otherwise, to stay there: what can be smooth is smooth, and what must crumple is soon where it would be without.
+//! A surface of convex metric that has dents all the same is ironed.
 
 use super::relaxation::Relaxation;
 use super::{EvolveError, Observer, Phase, Settling};

@@ -1,0 +1,77 @@
+//! What a folder says that it holds: of which film, of which mesh, and what must hold of it.
+
+use crate::mesh::Mesh;
+use crate::scene::{ChecksSection, Scene};
+use serde::{Deserialize, Serialize};
+
+/// What a film is of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Film {
+    /// Name of the scene, for messages.
+    pub scene: String,
+    /// Two films with the same fingerprint have the same frames.
+    pub fingerprint: u32,
+    /// How many frames it will have.
+    pub frame_count: usize,
+    /// What must hold on its last frame.
+    pub checks: ChecksSection,
+}
+
+impl Film {
+    /// The film of a scene.
+    pub fn of(scene: &Scene) -> Film {
+        Film {
+            scene: scene.name.clone(),
+            fingerprint: scene.simulation_fingerprint(),
+            frame_count: scene.clock.frames,
+            checks: scene.checks.clone(),
+        }
+    }
+}
+
+/// How large the mesh is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct MeshCounts {
+    /// Number of vertices.
+    pub vertices: usize,
+    /// Number of edges.
+    pub edges: usize,
+    /// Number of faces.
+    pub faces: usize,
+    /// Sum of the genera of the components.
+    pub genus: usize,
+    /// Number of boundary loops.
+    pub boundaries: usize,
+}
+
+impl MeshCounts {
+    /// Counts a mesh.
+    pub fn of(mesh: &Mesh) -> MeshCounts {
+        MeshCounts {
+            vertices: mesh.vertex_count(),
+            edges: mesh.edge_count(),
+            faces: mesh.face_count(),
+            genus: mesh.genus(),
+            boundaries: mesh.boundary_loops().len(),
+        }
+    }
+}
+
+/// `manifest.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// Name of the scene.
+    pub scene: String,
+    /// [`Film::fingerprint`].
+    pub fingerprint: u32,
+    /// How many frames the film will have.
+    pub frame_count: usize,
+    /// Counts of the mesh.
+    pub mesh: MeshCounts,
+    /// Checksum of `mesh.npz`.
+    pub mesh_crc32: u32,
+    /// What must hold on the last frame.
+    pub checks: ChecksSection,
+}
