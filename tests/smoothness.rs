@@ -67,7 +67,7 @@ fn phases_of_ones_own_leave_dents() {
 /// In one step, from a mesh with pits to the round metric.
 #[test]
 fn a_single_frame_of_a_convex_metric_is_ironed() {
-    let text = "[start]\nfrom = 'mesh'\n[[metric.change]]\nkind = 'ricci'\n";
+    let text = "[start]\nfrom = 'mesh'\n[[metric.change]]\nkind = 'ricci'\namount = 1\n";
     let frames = film(&bumpy(10, 12, 0.5, 0.2, 2), text);
     let (least, most) = radii(&frames[0].positions);
     assert!(most / least < 1.02, "{least} to {most}");
