@@ -41,7 +41,7 @@ impl Simulation {
             pin_distance: self.pin_distance(&positions),
             cursor: self.cursor,
             converged: self.cursor.phase >= self.phases.len() && self.cursor.settled,
-            on_the_way: matches!(self.pace, Pace::Steps(_)) && self.cursor.phase < self.phases.len(),
+            on_the_way: matches!(self.pace, Pace::Steps(_)) && (self.changes || self.cursor.phase < self.phases.len()),
             ..FrameReport::default()
         };
         if let Some(previous) = &self.previous {

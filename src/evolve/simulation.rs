@@ -35,7 +35,7 @@ pub struct Simulation {
     pub(super) pins: Pins,
     pub(super) clock: Clock,
     /// Whether anything in the scene depends on time.
-    changes: bool,
+    pub(super) changes: bool,
     pub(super) pace: Pace,
     /// L2 length error at which a frame without rims is done.
     pub(super) accuracy: Option<f64>,
