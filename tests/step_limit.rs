@@ -68,6 +68,13 @@ fn the_program_says_it_at_the_end() {
     }
     let (code, _, err) = program(folder.path(), &["run", "long.toml", "--out", "long"]);
     assert_eq!((code, err.as_str()), (0, ""));
+    // Nor are frames of so many steps to converge, however many a phase may take in all.
+    let steps =
+        short.replace("max_steps = 1\n", "steps_per_frame = 2\n").replace("max_unconverged = 4", "max_unconverged = 0")
+            + "[[phase]]\nmin_steps = 1\nmax_steps = 3\n";
+    std::fs::write(folder.path().join("steps.toml"), steps).unwrap();
+    let (code, _, err) = program(folder.path(), &["run", "steps.toml", "--out", "steps", "-q"]);
+    assert_eq!((code, err.as_str()), (0, ""));
     // A film of the relaxation shows frames that are not done, and that is what it is for.
     let text = "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[clock]\nframes = 3\nsteps_per_frame = 1\n[output]\nsize = [16, 12]\nsamples = 1\n";
     std::fs::write(folder.path().join("relaxation.toml"), text).unwrap();

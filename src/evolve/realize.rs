@@ -56,7 +56,8 @@ impl Simulation {
             places: worst_places(mesh, metric, &positions, &rims, &pinch_points),
             cursor: Cursor::of_all(&cursors),
             converged: self.components.iter().all(Relaxation::has_converged),
-            on_the_way: matches!(self.pace, Pace::Steps(_)) && self.components.iter().any(Relaxation::is_on_the_way),
+            on_the_way: matches!(self.pace, Pace::Steps(_))
+                && (self.course.changes() || self.components.iter().any(Relaxation::is_on_the_way)),
             ..FrameReport::default()
         };
         if parts.len() > 1 {

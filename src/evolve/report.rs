@@ -184,7 +184,8 @@ pub struct FrameReport {
     pub seconds: f64,
     /// Whether all phases are done and the last one met its tolerance, in every component.
     pub converged: bool,
-    /// Whether this is a frame of a film of the relaxation that is not over: it was not to converge yet.
+    /// Whether this is a frame after so many steps, of a film of the relaxation that is not over or of one that changes
+    /// with time: it was not to converge.
     #[serde(default)]
     pub on_the_way: bool,
 }

@@ -136,6 +136,14 @@ pub(super) fn folder_that_is_no_scene(path: &Path) -> Sentence {
 
 fn a_mesh(path: &Path) -> Sentence {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    if !MESHES.contains(&ending.as_str()) {
+        let remedy = format!(
+            "give {name} the ending of its format (.obj, .ply, .off or .stl), and name it in a scene file (TOML) as file = \
+             '…' under [mesh]"
+        );
+        return ("it is a mesh, not a scene".into(), remedy);
+    }
     let remedy = format!(
         "name a scene file (TOML) with [mesh] and below it file = '{name}', or give the mesh to a scene with --mesh {}",
         path.display()
