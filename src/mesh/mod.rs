@@ -4,6 +4,7 @@ mod connectivity;
 mod error;
 mod from_scene;
 mod ids;
+mod polygon;
 mod read;
 mod repair;
 mod selection;

@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use super::{Problem, index, lines, number, read_bytes};
+use super::table::Table;
+use super::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, VertexId};
 
 /// Reads one length per edge, in edge order, from lines `u,v,length`.
 ///
 /// `u` and `v` are vertices of the mesh, counted from 0, in any order. Every edge is given once; giving
-/// it again with the same length is allowed. The first line may be a header, `#` starts a comment.
+/// it again with the same length is allowed. The first line may be a header, `#` starts a comment; columns may also be
+/// separated by `;` (then a decimal comma is understood), tabs or blanks.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no edge, contradicts an earlier one or
@@ -18,23 +20,17 @@ pub fn read_edge_lengths(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError
 }
 
 fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `u,v,length`"))?;
     let mut edges: Vec<([u32; 2], EdgeId)> =
         mesh.edges().map(|e| (sorted(mesh.edge_vertices(e).map(|v| v.0)), e)).collect();
     edges.sort_unstable();
     let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
-    for (n, (line, content)) in lines(text).enumerate() {
-        let mut words = content.split(',').map(str::trim);
-        let is_header = n == 0 && content.starts_with(|c: char| c.is_alphabetic() || c == '"');
-        if is_header {
-            continue;
-        }
-        let u = index(words.next(), line, "vertex u")?;
-        let v = index(words.next(), line, "vertex v")?;
-        let length = number(words.next(), line, "the length")?;
-        if words.next().is_some() {
-            return Err(Problem::at(line, "there are more than three columns", "write `u,v,length`"));
+    Table::decode(bytes, "write lines `u,v,length`")?.rows(|marks, row| {
+        let line = row.line;
+        let u = row.index(0, "vertex u")?;
+        let v = row.index(1, "vertex v")?;
+        let length = row.number(2, "the length", marks)?;
+        if row.columns() > 3 {
+            return Err(Problem::at(line, "there are more than three columns", "write `u,v,length`, and decimals with a point"));
         }
         if length <= 0.0 {
             return Err(Problem::at(line, format!("the length {length} is not positive"), "give a length above 0"));
@@ -56,7 +52,8 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
             }
             slot => *slot = slot.or(Some((length, line))),
         }
-    }
+        Ok(())
+    })?;
     let missing = given.iter().filter(|g| g.is_none()).count();
     if let Some(first) = given.iter().position(Option::is_none) {
         let [u, v] = mesh.edge_vertices(EdgeId::new(first));
@@ -70,7 +67,7 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
 
 /// Reads numbers of some vertices, in order of vertices, from lines `v,number`.
 ///
-/// `v` counts from 0; no vertex is given twice. The first line may be a header, `#` starts a comment.
+/// `v` counts from 0; no vertex is given twice. Lines are as in [`read_edge_lengths`].
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no vertex or one that was named before;
@@ -80,31 +77,29 @@ pub fn read_vertex_numbers(path: &Path, mesh: &Mesh) -> Result<Vec<(VertexId, f6
 }
 
 fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)>, Problem> {
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `v,number`"))?;
     let mut given: Vec<Option<(f64, usize)>> = vec![None; mesh.vertex_count()];
-    for (n, (line, content)) in lines(text).enumerate() {
-        let mut words = content.split(',').map(str::trim);
-        if n == 0 && content.starts_with(|c: char| c.is_alphabetic() || c == '"') {
-            continue;
-        }
-        let vertex = index(words.next(), line, "the vertex")?;
-        let value = number(words.next(), line, "the number")?;
-        if words.next().is_some() {
-            return Err(Problem::at(line, "there are more than two columns", "write `v,number`"));
+    Table::decode(bytes, "write lines `v,number`")?.rows(|marks, row| {
+        let line = row.line;
+        let vertex = row.index(0, "the vertex")?;
+        let value = row.number(1, "the number", marks)?;
+        if row.columns() > 2 {
+            return Err(Problem::at(line, "there are more than two columns", "write `v,number`, and decimals with a point"));
         }
         match given.get_mut(vertex as usize) {
             None => {
                 let reason = format!("there is no vertex {vertex}, the mesh has {}", mesh.vertex_count());
-                return Err(Problem::at(line, reason, "count vertices from 0"));
+                Err(Problem::at(line, reason, "count vertices from 0"))
             }
             Some(Some((_, first))) => {
                 let reason = format!("vertex {vertex} was given on line {first}");
-                return Err(Problem::at(line, reason, "give every vertex once"));
+                Err(Problem::at(line, reason, "give every vertex once"))
             }
-            Some(slot) => *slot = Some((value, line)),
+            Some(slot) => {
+                *slot = Some((value, line));
+                Ok(())
+            }
         }
-    }
+    })?;
     let numbers: Vec<_> = mesh.vertices().filter_map(|v| given[v.index()].map(|(value, _)| (v, value))).collect();
     if numbers.is_empty() {
         return Err(Problem::new("it has no lines", "write lines `v,number`"));

@@ -1,11 +1,15 @@
 //! Reads triangle meshes from files. What is not a triangle is cut into triangles, what can be
 //! repaired is, and everything else is an error with its place in the file.
 
+mod content;
 mod csv;
 mod obj;
 mod off;
 mod ply;
+mod ply_header;
+mod polygons;
 mod stl;
+mod table;
 
 use std::path::Path;
 
@@ -17,7 +21,7 @@ pub use csv::{read_edge_lengths, read_vertex_numbers};
 
 /// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
 ///
-/// Polygons are cut into fans. The result is oriented and compacted by [`repair`]; what that changed is in
+/// Polygons are cut into triangles, also concave ones (see `polygon.rs`). The result is oriented and compacted by [`repair`]; what that changed is in
 /// [`Surface::repairs`]. A file whose vertices all lie in one point, or an OBJ that lists faces but no
 /// vertices, is purely intrinsic: it has no positions.
 ///
@@ -40,7 +44,9 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
         }
     };
     let bytes = read_bytes(path)?;
-    let soup = parse(&bytes).map_err(|problem| problem.in_file(path))?;
+    let soup = content::check(&bytes, ending.as_deref().unwrap_or_default())
+        .and_then(|()| parse(&bytes))
+        .map_err(|problem| problem.in_file(path))?;
     let repaired = repair(soup.vertex_count, &soup.triangles).map_err(|error| {
         let lines: Vec<String> =
             error.faces().iter().filter_map(|&f| soup.lines.get(f)).map(|line| line.to_string()).collect();
@@ -55,7 +61,8 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
         .positions
         .filter(|all| all.iter().any(|p| *p != all[0]))
         .map(|all| repaired.input_vertices.iter().map(|&v| all[v]).collect());
-    Ok(Surface { mesh: repaired.mesh, positions, coordinates: None, edge_lengths: None, repairs: repaired.repairs })
+    let repairs = soup.notes.into_iter().chain(repaired.repairs).collect();
+    Ok(Surface { mesh: repaired.mesh, positions, coordinates: None, edge_lengths: None, repairs })
 }
 
 /// Reads the vertex positions of a file whose faces are those of the mesh, in the same order; |V| values.
@@ -95,16 +102,8 @@ struct Soup {
     triangles: Vec<[u32; 3]>,
     /// Per triangle its line in the file; empty for binary files.
     lines: Vec<usize>,
-}
-
-impl Soup {
-    /// Cuts a polygon into a fan around its first corner.
-    fn add_polygon(&mut self, corners: &[u32], line: Option<usize>) {
-        for k in 1..corners.len().saturating_sub(1) {
-            self.triangles.push([corners[0], corners[k], corners[k + 1]]);
-            self.lines.extend(line);
-        }
-    }
+    /// What the reader left out or changed, in sentences.
+    notes: Vec<String>,
 }
 
 /// What is wrong with a file, and where.
@@ -141,13 +140,21 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
         .filter(|(_, line)| !line.is_empty())
 }
 
+/// A number as programs write it, also with the exponent of Fortran, as in `1.5D-3`.
+fn parse_number(word: &str) -> Option<f64> {
+    word.parse().ok().or_else(|| word.replace(['d', 'D'], "e").parse().ok())
+}
+
 /// A finite number.
 fn number(word: Option<&str>, line: usize, what: &str) -> Result<f64, Problem> {
     let word = word.ok_or_else(|| Problem::at(line, format!("{what} is missing"), "write a number"))?;
-    match word.parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        Ok(_) => Err(Problem::at(line, format!("{what} `{word}` is not finite"), "every number must be finite")),
-        Err(_) => Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a number such as 0.25")),
+    match parse_number(word) {
+        Some(x) if x.is_finite() => Ok(x),
+        Some(_) => Err(Problem::at(line, format!("{what} `{word}` is not finite"), "every number must be finite")),
+        None if parse_number(&word.replace(',', ".")).is_some() => {
+            Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a decimal point, as in 0.25"))
+        }
+        None => Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a number such as 0.25")),
     }
 }
 
