@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::content::{claimed_triangles, is_binary_stl};
-use super::{Problem, Soup, lines, point};
+use super::{Problem, Soup, point};
 use crate::scene::decode;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
@@ -93,7 +93,11 @@ fn ascii(bytes: &[u8]) -> Result<Soup, Problem> {
     let mut corners = Vec::new();
     let mut facet = None;
     let mut begun = false;
-    for (line, content) in lines(&text) {
+    for (line, content) in (1..).zip(text.lines()) {
+        // Comments are a habit from elsewhere, and `1.#IND` a number that is none.
+        if content.trim_start().starts_with('#') {
+            continue;
+        }
         let mut words = content.split_ascii_whitespace();
         while let Some(word) = words.next() {
             let mut keyword = word.to_ascii_lowercase();
