@@ -130,7 +130,13 @@ fn area_and_angles_are_exact() {
                     continue; // areas underflow
                 }
                 // Of the thin one, areas from lengths are as inexact as it is thin.
-                let tolerance = if offset > 0.0 { 1e-6 } else if n == 3 { 1e-9 } else { 1e-11 };
+                let tolerance = if offset > 0.0 {
+                    1e-6
+                } else if n == 3 {
+                    1e-9
+                } else {
+                    1e-11
+                };
                 let (has, right) = (metric(&surface).total_area(), scale * scale * area(&polygon));
                 assert!((has / right - 1.0).abs() < tolerance, "{label}: area {has} instead of {right}");
                 for (k, (has, right)) in angles(&surface).iter().zip(&wanted).enumerate() {

@@ -48,7 +48,11 @@ fn is_tetrahedron(name: &str) {
     // STL numbers vertices as they come.
     let number = |v: u32| if name.ends_with(".stl") { [0, 2, 1, 3][v as usize] } else { v as usize };
     assert_eq!(positions, [0, 1, 2, 3].map(|v| POINTS[number(v)]), "{name}");
-    assert_eq!(surface.mesh.triangles().iter().map(|t| t.map(|v| number(v) as u32)).collect::<Vec<_>>(), FACES, "{name}");
+    assert_eq!(
+        surface.mesh.triangles().iter().map(|t| t.map(|v| number(v) as u32)).collect::<Vec<_>>(),
+        FACES,
+        "{name}"
+    );
 }
 
 #[test]
@@ -169,7 +173,9 @@ fn ply_types_strips_and_other_elements() {
 
 #[test]
 fn stl_as_it_is_written() {
-    for name in ["upper_case.stl", "spaced_end.stl", "two_solids.stl", "binary.stl", "solid_binary.stl", "long_name.stl"] {
+    for name in
+        ["upper_case.stl", "spaced_end.stl", "two_solids.stl", "binary.stl", "solid_binary.stl", "long_name.stl"]
+    {
         is_tetrahedron(name);
         assert!(surface(name).repairs.is_empty(), "{name}");
     }
@@ -198,15 +204,28 @@ fn off_headers() {
     }
     let text = fs::read_to_string(input("lower_case.off")).unwrap();
     for header in ["COFF", "NOFF", "CNOFF", "STOFF", "STCNOFF", "NCSTOFF", "cnoff", "Off", "# made by hand\n\nOFF"] {
-        assert_eq!(read(&file("a.off", text.replacen("off", header, 1)).path).unwrap().mesh.triangles(), FACES, "{header}");
+        assert_eq!(
+            read(&file("a.off", text.replacen("off", header, 1)).path).unwrap().mesh.triangles(),
+            FACES,
+            "{header}"
+        );
     }
     // ModelNet forgets the line's end.
     assert_eq!(read(&file("a.off", text.replacen("off\n", "OFF", 1)).path).unwrap().mesh.triangles(), FACES);
-    refused("a.off", text.replacen("off", "nOFF 3", 1), &["a.off:1:", "`nOFF` has vertices in a space of any dimension"]);
+    refused(
+        "a.off",
+        text.replacen("off", "nOFF 3", 1),
+        &["a.off:1:", "`nOFF` has vertices in a space of any dimension"],
+    );
     refused("a.off", text.replacen("off", "4nOFF", 1), &["`4nOFF` has vertices in a space"]);
     refused("a.off", text.replacen("off", "CCOFF", 1), &["`CCOFF` is not an OFF header"]);
-    refused("a.off", b"OFF BINARY\n\0\0\0\x04\0\0\0\x04\0\0\0\0".as_slice(), &["the binary form", "save it as ascii OFF"]);
-    let infinite = fs::read_to_string(input("st4.off")).unwrap().replace("2.0 2 255", "2.0 0 255").replace("3.0 2", "3.0 0");
+    refused(
+        "a.off",
+        b"OFF BINARY\n\0\0\0\x04\0\0\0\x04\0\0\0\0".as_slice(),
+        &["the binary form", "save it as ascii OFF"],
+    );
+    let infinite =
+        fs::read_to_string(input("st4.off")).unwrap().replace("2.0 2 255", "2.0 0 255").replace("3.0 2", "3.0 0");
     refused("a.off", infinite, &["a.off:6:", "infinitely far"]);
 }
 
@@ -281,7 +300,12 @@ fn tables_of_lengths_as_spreadsheets_write_them() {
 #[test]
 fn tables_of_vertices_as_spreadsheets_write_them() {
     let mesh = tetrahedron();
-    for text in ["v;curvature\r\n0,0;10,5\r\n3,0;-2\r\n", "\u{feff}\"0\",\"10.5\"\n\"3\",\"-2\"", "0.0\t10.5\n3.0\t-2", "0 10.5\n3 -2"] {
+    for text in [
+        "v;curvature\r\n0,0;10,5\r\n3,0;-2\r\n",
+        "\u{feff}\"0\",\"10.5\"\n\"3\",\"-2\"",
+        "0.0\t10.5\n3.0\t-2",
+        "0 10.5\n3 -2",
+    ] {
         let numbers = read_vertex_numbers(&file("a.csv", text).path, &mesh).unwrap_or_else(|error| panic!("{error}"));
         assert_eq!(numbers.iter().map(|(v, x)| (v.0, *x)).collect::<Vec<_>>(), [(0, 10.5), (3, -2.0)], "{text}");
     }

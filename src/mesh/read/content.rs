@@ -9,7 +9,10 @@ use crate::scene::{decode, without_mark};
 /// [`Problem`] if the file is empty or plainly something else than its ending says.
 pub(super) fn check(bytes: &[u8], ending: &str) -> Result<(), Problem> {
     if without_mark(bytes).trim_ascii().is_empty() {
-        return Err(Problem::new("the file is empty, there is no surface in it", "give a file with vertices and faces"));
+        return Err(Problem::new(
+            "the file is empty, there is no surface in it",
+            "give a file with vertices and faces",
+        ));
     }
     if let Some((what, remedy)) = no_mesh(bytes) {
         return Err(Problem::new(format!("this is {what}, not a mesh"), remedy));

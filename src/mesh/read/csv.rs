@@ -30,7 +30,11 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
         let v = row.index(1, "vertex v")?;
         let length = row.number(2, "the length", marks)?;
         if row.columns() > 3 {
-            return Err(Problem::at(line, "there are more than three columns", "write `u,v,length`, and decimals with a point"));
+            return Err(Problem::at(
+                line,
+                "there are more than three columns",
+                "write `u,v,length`, and decimals with a point",
+            ));
         }
         if length <= 0.0 {
             return Err(Problem::at(line, format!("the length {length} is not positive"), "give a length above 0"));
@@ -83,7 +87,11 @@ fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)
         let vertex = row.index(0, "the vertex")?;
         let value = row.number(1, "the number", marks)?;
         if row.columns() > 2 {
-            return Err(Problem::at(line, "there are more than two columns", "write `v,number`, and decimals with a point"));
+            return Err(Problem::at(
+                line,
+                "there are more than two columns",
+                "write `v,number`, and decimals with a point",
+            ));
         }
         match given.get_mut(vertex as usize) {
             None => {

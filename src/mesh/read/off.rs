@@ -86,7 +86,8 @@ fn split_header(line: &str) -> Option<(&str, &str)> {
 
 /// `nOFF`, whose small letter is not that of normals.
 fn is_many_dimensional(before: &str) -> bool {
-    before.ends_with('n') && !before.chars().any(|c| c.is_ascii_lowercase() && c != 'n')
+    before.ends_with('n')
+        && !before.chars().any(|c| c.is_ascii_lowercase() && c != 'n')
         && before.trim_end_matches('n').chars().all(|c| "STCN4".contains(c))
 }
 
@@ -103,9 +104,7 @@ impl Header {
             // The keyword may be left out; then the counts come first.
             return match first.split_ascii_whitespace().all(|word| word.parse::<u32>().is_ok()) {
                 true => Ok((Header { homogeneous: false }, first)),
-                false => {
-                    Err(Problem::at(line, format!("`{first}` is not an OFF header"), "begin the file with `OFF`"))
-                }
+                false => Err(Problem::at(line, format!("`{first}` is not an OFF header"), "begin the file with `OFF`")),
             };
         };
         if is_many_dimensional(before) {

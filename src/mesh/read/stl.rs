@@ -49,7 +49,13 @@ impl Merged {
     }
 
     fn soup(self, triangles: Vec<[u32; 3]>, lines: Vec<usize>) -> Soup {
-        Soup { vertex_count: self.positions.len(), positions: Some(self.positions), triangles, lines, notes: Vec::new() }
+        Soup {
+            vertex_count: self.positions.len(),
+            positions: Some(self.positions),
+            triangles,
+            lines,
+            notes: Vec::new(),
+        }
     }
 }
 

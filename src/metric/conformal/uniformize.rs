@@ -127,8 +127,7 @@ fn solve(triangulation: Triangulation, log: Option<&mut Vec<u32>>, goal: &Goal) 
                         break next;
                     }
                 }
-                Err(MetricError::TriangleInequality { face, vertices, .. }) => blocked = Some((face, vertices)),
-                Err(other) => return Err(other),
+                Err(reason) => blocked = Some(reason.degenerate_face().ok_or(reason)?),
             }
             length *= 0.5;
             if length < SHORTEST_STEP {
@@ -200,8 +199,8 @@ impl Iterate {
             let u = self.u.iter().zip(&change).map(|(u, change)| u - change).collect();
             match Iterate::new(self.triangulation.clone(), self.flips.clone(), u, goal) {
                 Ok(next) if norm(&next.excess) < CORRECTION_DECREASE * norm(&self.excess) => self = next,
-                Ok(_) | Err(MetricError::TriangleInequality { .. }) => return Ok((self, taken)),
-                Err(other) => return Err(other),
+                Err(reason) if reason.degenerate_face().is_none() => return Err(reason),
+                Ok(_) | Err(_) => return Ok((self, taken)),
             }
         }
         Ok((self, MAX_CORRECTIONS))
