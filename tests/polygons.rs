@@ -51,7 +51,7 @@ fn flat(points: &[[f64; 2]]) -> Vec<DVec3> {
 /// Counterclockwise simple polygons with reflex and straight corners.
 fn shapes_in_the_plane() -> Vec<Vec<DVec3>> {
     let star = |k: u32| {
-        let (r, angle) = (if k % 2 == 0 { 3.0 } else { 0.7 }, PI * f64::from(k) / 7.0);
+        let (r, angle) = (if k.is_multiple_of(2) { 3.0 } else { 0.7 }, PI * f64::from(k) / 7.0);
         [r * angle.cos(), r * angle.sin()]
     };
     let spiral = |k: u32| {
@@ -60,7 +60,7 @@ fn shapes_in_the_plane() -> Vec<Vec<DVec3>> {
         let r = 1.0 + angle / PI / 2.0 - inner * 0.5;
         [r * angle.cos(), r * angle.sin()]
     };
-    let tooth = |k: u32| [f64::from(k), if k % 2 == 0 { 1.0 } else { 3.0 }];
+    let tooth = |k: u32| [f64::from(k), if k.is_multiple_of(2) { 1.0 } else { 3.0 }];
     vec![
         flat(&[[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.0, 1.0], [1.0, 1.0]]), // an L
         flat(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]),             // a straight corner

@@ -135,7 +135,8 @@ fn ply_types_strips_and_other_elements() {
     refused("a.ply", text.replace("-1 2", "2.5 2"), &["strip 0 names vertex 2.5"]);
 
     // All names of all types, one file each.
-    let values: [(&str, fn(f64) -> Vec<u8>); 20] = [
+    type Bytes = fn(f64) -> Vec<u8>;
+    let values: [(&str, Bytes); 20] = [
         ("char", |x| (x as i8).to_le_bytes().into()),
         ("int8", |x| (x as i8).to_le_bytes().into()),
         ("uchar", |x| (x as u8).to_le_bytes().into()),

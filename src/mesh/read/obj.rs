@@ -25,7 +25,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
             }
             continue;
         }
-        // Lines of other kinds are not continued: a path of Windows may end with a backslash.
+        // The break is a blank: `f 1 2\` and `3` are three corners. Lines of other kinds are not continued: a path of
+        // Windows may end with a backslash.
         let mut content = Cow::Borrowed(content);
         while let Some(start) = content.strip_suffix('\\') {
             let next = lines.next().map_or("", |(_, next)| next);
