@@ -270,7 +270,7 @@ fn repeated_corners_are_dropped_and_told() {
     assert!(surface.repairs[0].contains("dropped 3 corners") && surface.repairs[0].contains("face 2, line 7"));
     // Nothing of a face is left: that is no polygon.
     let error = obj(&square, &[vec![0, 1, 2], vec![2, 3, 3]]).unwrap_err();
-    assert!(error.contains("two of them equal") && error.contains("line 7"), "{error}");
+    assert!(error.contains("two of them equal") && error.contains("a.obj:7: counted from 1, face 2"), "{error}");
 }
 
 #[test]
