@@ -257,6 +257,13 @@ fn outlines_that_cross_or_touch_themselves_are_refused() {
             assert!(error.contains("cut the face into simple polygons"), "{error}");
         }
     }
+    // Through a vertex that is visited twice: one half is turned over.
+    let points = flat(&[[0.0, 0.0], [1.0, -1.0], [1.0, 1.0], [-1.0, -1.0], [-1.0, 1.0]]);
+    let error = obj(&points, &[vec![0, 1, 2, 0, 3, 4]]).map(|s| s.mesh.triangles()).unwrap_err();
+    assert!(error.contains("crosses or touches itself"), "{error}");
+    // Twice around.
+    let error = obj(&points, &[vec![0, 1, 2, 0, 1, 2]]).map(|s| s.mesh.triangles()).unwrap_err();
+    assert!(error.contains("crosses or touches itself"), "{error}");
 }
 
 #[test]
