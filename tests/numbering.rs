@@ -220,3 +220,20 @@ fn the_outcome_carries_the_map() {
     assert_eq!(array("file_face.npy"), [0, 0, 1, 1, 2]);
     assert_eq!(Cache::open(&at.join("out")).expect("a film").file_faces().expect("faces"), [0, 0, 1, 1, 2]);
 }
+
+#[test]
+fn triangles_of_concave_polygons_and_strips() {
+    let inputs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/inputs/readers");
+    for name in ["l_prism.obj", "l_prism.off", "l_prism.ply", "l_prism_binary.ply"] {
+        let mesh = read(&inputs.join(name)).expect("a prism").mesh;
+        let faces = mesh.file_faces();
+        assert!(faces.is_sorted(), "{name}: {faces:?}");
+        // Two caps of six corners and six sides of four, in whatever order the file has them.
+        let mut counts: Vec<usize> = faces.chunk_by(|a, b| a == b).map(<[u32]>::len).collect();
+        counts.sort_unstable();
+        assert_eq!(counts, [2, 2, 2, 2, 2, 2, 4, 4], "{name}: {faces:?}");
+    }
+    // Every triangle of a strip is a face of its own.
+    let mesh = read(&inputs.join("strips.ply")).expect("strips").mesh;
+    assert!(mesh.file_faces().iter().copied().eq(0..mesh.face_count() as u32));
+}

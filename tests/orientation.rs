@@ -143,7 +143,10 @@ fn classes_are_kept() {
     let torus = bare(shapes::torus(1.0, 0.4, 24, 14).expect("a torus"));
     for class in ["00", "01", "10"] {
         let report = relaxed(&torus, &format!("[start]\nrandom = 2\n[spin]\nclass = \"{class}\"")).report;
-        let left = relaxed(&torus, &format!("[start]\nrandom = 2\norientation = \"as it comes\"\n[spin]\nclass = \"{class}\""));
+        let left = relaxed(
+            &torus,
+            &format!("[start]\nrandom = 2\norientation = \"as it comes\"\n[spin]\nclass = \"{class}\""),
+        );
         assert_eq!((&report.spin_class, &report.asked_class), (&left.report.spin_class, &left.report.asked_class));
         assert_eq!(report.asked_class, class);
         assert_eq!((report.rims, report.pinch_points), (left.report.rims, left.report.pinch_points));

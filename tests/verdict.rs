@@ -28,7 +28,8 @@ fn a_good_result_is_silent() {
 #[test]
 fn rims_that_stay_are_told_with_their_places_in_the_last_line() {
     let folder = TempDir::new().unwrap();
-    let text = "[mesh]\nshape = 'torus'\nmajor_radius = 1\nminor_radius = 0.4\ncolumns = 8\nrows = 6\n[spin]\nclass = '11'\n";
+    let text =
+        "[mesh]\nshape = 'torus'\nmajor_radius = 1\nminor_radius = 0.4\ncolumns = 8\nrows = 6\n[spin]\nclass = '11'\n";
     let (code, out, err) = run(folder.path(), text);
     let last = err.lines().last().unwrap_or_default();
     assert_eq!(code, 0, "{err}");
@@ -41,7 +42,13 @@ fn rims_that_stay_are_told_with_their_places_in_the_last_line() {
 }
 
 fn good() -> FrameReport {
-    FrameReport { frame: 1, spin_class: "01".into(), asked_class: "01".into(), converged: true, ..FrameReport::default() }
+    FrameReport {
+        frame: 1,
+        spin_class: "01".into(),
+        asked_class: "01".into(),
+        converged: true,
+        ..FrameReport::default()
+    }
 }
 
 /// Every fault alone, and what the sentence has to contain.
@@ -58,7 +65,10 @@ fn each_fault_is_told() {
         (FrameReport { pinch_points: 1, spin_class: "—".into(), ..good() }, vec!["1 pinch point (vertices 7)"]),
         (FrameReport { l2_length_error: 0.13, ..good() }, vec!["a length error of 13", "at edge 3-4"]),
         (FrameReport { spin_class: "11".into(), ..good() }, vec!["class 11 where 01 was asked for"]),
-        (FrameReport { bending_error: Some(angles), ..good() }, vec!["12.0 degrees", "31.5", "5-6", "bending_stiffness"]),
+        (
+            FrameReport { bending_error: Some(angles), ..good() },
+            vec!["12.0 degrees", "31.5", "5-6", "bending_stiffness"],
+        ),
         (FrameReport { pin_distance: Some(0.1), ..good() }, vec!["a pinned vertex", "immerse check"]),
     ];
     for (report, parts) in faults {
@@ -120,8 +130,14 @@ fn angles_that_are_not_reached_are_measured() {
     let error = report.bending_error.expect("targets");
     assert!((error.max_degrees / largest - 1.0).abs() < 0.05, "{error:?} {largest}");
     assert!(error.rms_degrees > 0.7 * largest && error.rms_degrees < error.max_degrees);
-    let checks = |rms, max| ChecksSection { rms_bending_error: Some(rms), max_bending_error: Some(max), ..ChecksSection::default() };
-    let holds = |checks: &ChecksSection| checks_of(checks, std::slice::from_ref(&report)).iter().map(|c| c.holds).collect::<Vec<_>>();
+    let checks = |rms, max| ChecksSection {
+        rms_bending_error: Some(rms),
+        max_bending_error: Some(max),
+        ..ChecksSection::default()
+    };
+    let holds = |checks: &ChecksSection| {
+        checks_of(checks, std::slice::from_ref(&report)).iter().map(|c| c.holds).collect::<Vec<_>>()
+    };
     assert_eq!(holds(&checks(error.rms_degrees, error.max_degrees)), [true, true]);
     assert_eq!(holds(&checks(0.9 * error.rms_degrees, 0.9 * error.max_degrees)), [false, false]);
 

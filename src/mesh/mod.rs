@@ -8,6 +8,7 @@ mod from_scene;
 mod ids;
 mod numbering;
 mod places;
+mod polygon;
 mod read;
 mod repair;
 mod selection;

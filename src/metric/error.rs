@@ -1,5 +1,7 @@
 //! What can be wrong with edge lengths.
 
+use super::TRIANGLE_MARGIN;
+use super::intrinsic::slack;
 use crate::mesh::{FaceId, Mesh};
 
 /// Why a list of lengths is not a metric on a mesh. Faces and vertices are those of the mesh file, counted from 0.
@@ -15,6 +17,13 @@ pub enum MetricError {
          {lengths:?}: the longest side must be shorter than the sum of the others; correct these lengths"
     )]
     TriangleInequality { count: usize, face: usize, vertices: [u32; 3], lengths: [f64; 3] },
+    #[error(
+        "{count} {} too thin, most of all face {face} with vertices {vertices:?} and lengths {lengths:?}: the longest side \
+         is shorter than the sum of the others by {slack:.1e} of the sum of all, and below {least:e} rounding decides the \
+         angles; flip the longest side or collapse the shortest one, or move the vertex between the shorter sides away \
+         from the longest", if *count == 1 { "face is" } else { "faces are" }
+    )]
+    TooThin { count: usize, face: usize, vertices: [u32; 3], lengths: [f64; 3], slack: f64, least: f64 },
     #[error(
         "the mesh has no positions to take lengths from; add `length = …` or `csv = \"…\"` under [metric], \
          or use a mesh with positions"
@@ -95,6 +104,31 @@ impl MetricError {
             }
             other => other,
         }
+    }
+
+    /// Of faces whose lengths are those of no usable triangle, the worst of which is named.
+    pub(super) fn no_triangle(count: usize, face: usize, vertices: [u32; 3], lengths: [f64; 3]) -> MetricError {
+        let slack = slack(lengths);
+        if slack > 0.0 {
+            MetricError::TooThin { count, face, vertices, lengths, slack, least: TRIANGLE_MARGIN }
+        } else {
+            MetricError::TriangleInequality { count, face, vertices, lengths }
+        }
+    }
+
+    /// The face that is no usable triangle, and its vertices, if it is that.
+    pub(super) fn degenerate_face(&self) -> Option<(usize, [u32; 3])> {
+        match *self {
+            MetricError::TriangleInequality { face, vertices, .. } | MetricError::TooThin { face, vertices, .. } => {
+                Some((face, vertices))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether a shorter step may not meet this.
+    pub(super) fn is_of_long_step(&self) -> bool {
+        self.degenerate_face().is_some() || matches!(self, MetricError::TooManyFlips { .. })
     }
 }
 

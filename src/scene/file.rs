@@ -11,6 +11,7 @@ use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
 use super::table::Table;
+use super::text::decode;
 use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
 
 /// Far more than any scene needs; what is longer is not a scene.
@@ -56,13 +57,13 @@ impl Scene {
         if bytes.len() as u64 > MAX_BYTES {
             return Err(unreadable("it is larger than 64 MiB".into(), "name a scene file, which is a short text"));
         }
-        let text = String::from_utf8(bytes).map_err(|error| {
-            let line = error.as_bytes()[..error.utf8_error().valid_up_to()].iter().filter(|&&b| b == b'\n').count() + 1;
-            unreadable(format!("line {line} is not UTF-8 text"), "save the file as UTF-8")
-        })?;
+        let text = decode(&bytes);
+        if let Some(line) = text.first_broken_line {
+            return Err(unreadable(format!("line {line} is not UTF-8 text"), "save the file as UTF-8"));
+        }
         let name = path.file_stem().map_or_else(|| "scene".into(), |stem| stem.to_string_lossy().into_owned());
         let folder = path.parent().unwrap_or(Path::new(""));
-        parse(&text, name, folder, path.to_owned())
+        parse(&text.text, name, folder, path.to_owned())
     }
 
     /// Reads a scene from a text. `name` names it in messages and output; relative paths in it start at `folder`.
@@ -71,7 +72,8 @@ impl Scene {
     /// [`SceneErrors::Mistakes`] with every mistake: either those against TOML itself or, in valid TOML, all
     /// unknown keys, wrong types, impossible values and missing parameters.
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, SceneErrors> {
-        parse(text, name.to_owned(), folder, folder.join(format!("{name}.toml")))
+        // A text that was read by other means may have its mark still.
+        parse(text.trim_start_matches('\u{feff}'), name.to_owned(), folder, folder.join(format!("{name}.toml")))
     }
 
     /// The error of a later stage about what the file says at a dotted key, such as `mesh.radius` or

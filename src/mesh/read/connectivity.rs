@@ -22,10 +22,10 @@ pub(super) enum Format {
 }
 
 impl Format {
-    pub fn of(ending: Option<&str>) -> Format {
+    pub fn of(ending: &str) -> Format {
         match ending {
-            Some("obj") => Format::Obj,
-            Some("stl") => Format::Stl,
+            "obj" => Format::Obj,
+            "stl" => Format::Stl,
             _ => Format::Other,
         }
     }
@@ -63,7 +63,7 @@ impl Soup {
     pub(super) fn surface(&self, format: Format, how: Option<Weld>) -> Result<Surface, Unrepairable> {
         // A file whose vertices all lie in one point has no positions.
         let positions = self.positions.as_ref().filter(|all| all.iter().any(|p| *p != all[0]));
-        let mut notes = Vec::new();
+        let mut notes = self.notes.clone();
         let (repaired, positions) = match positions {
             None => {
                 if matches!(how, Some(Weld::Exact | Weld::Within(_))) {

@@ -2,13 +2,15 @@
 
 use std::path::Path;
 
-use super::{Problem, index, lines, number, read_bytes};
+use super::table::Table;
+use super::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 
 /// Reads one length per edge, in edge order, from lines `u,v,length`.
 ///
 /// `u` and `v` are vertices by their numbers in the mesh file, counted from 0, in any order; of a welded vertex any of its
-/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, `#` starts a comment.
+/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, `#`
+/// starts a comment; columns may also be separated by `;` (then a decimal comma is understood), tabs or blanks.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no edge, contradicts an earlier one or
@@ -18,22 +20,20 @@ pub fn read_edge_lengths(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError
 }
 
 fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `u,v,length`"))?;
     let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (sorted(mesh.edge_vertices(e)), e)).collect();
     edges.sort_unstable();
     let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
-    for (n, (line, content)) in lines(text).enumerate() {
-        let mut words = content.split(',').map(str::trim);
-        let is_header = n == 0 && content.starts_with(|c: char| c.is_alphabetic() || c == '"');
-        if is_header {
-            continue;
-        }
-        let u = index(words.next(), line, "vertex u")?;
-        let v = index(words.next(), line, "vertex v")?;
-        let length = number(words.next(), line, "the length")?;
-        if words.next().is_some() {
-            return Err(Problem::at(line, "there are more than three columns", "write `u,v,length`"));
+    Table::decode(bytes, "write lines `u,v,length`")?.rows(|marks, row| {
+        let line = row.line;
+        let u = row.index(0, "vertex u")?;
+        let v = row.index(1, "vertex v")?;
+        let length = row.number(2, "the length", marks)?;
+        if row.columns() > 3 {
+            return Err(Problem::at(
+                line,
+                "there are more than three columns",
+                "write `u,v,length`, and decimals with a point",
+            ));
         }
         if length <= 0.0 {
             return Err(Problem::at(line, format!("the length {length} is not positive"), "give a length above 0"));
@@ -60,7 +60,8 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
             }
             slot => *slot = slot.or(Some((length, line))),
         }
-    }
+        Ok(())
+    })?;
     let missing = given.iter().filter(|g| g.is_none()).count();
     if let Some(first) = given.iter().position(Option::is_none) {
         let [u, v] = mesh.file_ends(EdgeId::new(first));
@@ -75,7 +76,7 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
 /// Reads numbers of some vertices, in order of vertices, from lines `v,number`.
 ///
 /// `v` is the number of the vertex in the mesh file, counted from 0; no vertex is given twice, but a welded one by several of
-/// its numbers if they agree. The first line may be a header, `#` starts a comment.
+/// its numbers if they agree. Lines are as in [`read_edge_lengths`].
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no vertex or one that was named before;
@@ -85,33 +86,31 @@ pub fn read_vertex_numbers(path: &Path, mesh: &Mesh) -> Result<Vec<(VertexId, f6
 }
 
 fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)>, Problem> {
-    let text =
-        std::str::from_utf8(bytes).map_err(|_| Problem::new("the file is not text", "write lines `v,number`"))?;
     let mut given: Vec<Option<(f64, usize, u32)>> = vec![None; mesh.vertex_count()];
-    for (n, (line, content)) in lines(text).enumerate() {
-        let mut words = content.split(',').map(str::trim);
-        if n == 0 && content.starts_with(|c: char| c.is_alphabetic() || c == '"') {
-            continue;
+    Table::decode(bytes, "write lines `v,number`")?.rows(|marks, row| {
+        let line = row.line;
+        let number = row.index(0, "the vertex")?;
+        let value = row.number(1, "the number", marks)?;
+        if row.columns() > 2 {
+            return Err(Problem::at(
+                line,
+                "there are more than two columns",
+                "write `v,number`, and decimals with a point",
+            ));
         }
-        let number_in_file = index(words.next(), line, "the vertex")?;
-        let value = number(words.next(), line, "the number")?;
-        if words.next().is_some() {
-            return Err(Problem::at(line, "there are more than two columns", "write `v,number`"));
-        }
-        let v = vertex(number_in_file, line, mesh)?;
+        let v = vertex(number, line, mesh)?;
         match &mut given[v.index()] {
-            Some((earlier, first, other)) if *other == number_in_file || *earlier != value => {
-                let reason = match *other == number_in_file {
-                    true => format!("vertex {number_in_file} was given on line {first}"),
-                    false => {
-                        format!("vertex {number_in_file} is welded to {other}, which has {earlier} on line {first}")
-                    }
+            Some((earlier, first, other)) if *other == number || *earlier != value => {
+                let reason = match *other == number {
+                    true => format!("vertex {number} was given on line {first}"),
+                    false => format!("vertex {number} is welded to {other}, which has {earlier} on line {first}"),
                 };
                 return Err(Problem::at(line, reason, "give every vertex once"));
             }
-            slot => *slot = slot.or(Some((value, line, number_in_file))),
+            slot => *slot = slot.or(Some((value, line, number))),
         }
-    }
+        Ok(())
+    })?;
     let numbers: Vec<_> = mesh.vertices().filter_map(|v| given[v.index()].map(|(value, ..)| (v, value))).collect();
     if numbers.is_empty() {
         return Err(Problem::new("it has no lines", "write lines `v,number`"));

@@ -2,11 +2,15 @@
 //! repaired is, and everything else is an error with its place in the file.
 
 mod connectivity;
+mod content;
 mod csv;
 mod obj;
 mod off;
 mod ply;
+mod ply_header;
+mod polygons;
 mod stl;
+mod table;
 
 use std::path::Path;
 
@@ -22,9 +26,10 @@ pub use csv::{read_edge_lengths, read_vertex_numbers};
 
 /// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
 ///
-/// Polygons are cut into fans. Seams are welded: exactly, and in STL files within the rounding of single precision. The
-/// result is oriented and compacted by [`super::repair`]; what all that changed is in [`Surface::repairs`], and
-/// [`super::Mesh::file_vertex`] says what the file calls each vertex. A file whose vertices all lie in one point, or an OBJ that lists faces but no
+/// Polygons are cut into triangles, also concave ones (see `polygon.rs`). Seams are welded: exactly, and in STL files
+/// within the rounding of single precision. The result is oriented and compacted by [`super::repair`]; what all that
+/// changed is in [`Surface::repairs`], and [`super::Mesh::file_vertex`] says what the file calls each vertex. A file whose
+/// vertices all lie in one point, or an OBJ that lists faces but no
 /// vertices, is purely intrinsic: it has no positions.
 ///
 /// # Errors
@@ -72,8 +77,9 @@ fn read_soup(path: &Path) -> Result<(Soup, Format), MeshError> {
         }
     };
     let bytes = read_bytes(path)?;
-    let soup = parse(&bytes).map_err(|problem| problem.in_file(path))?;
-    Ok((soup, Format::of(ending.as_deref())))
+    let ending = ending.unwrap_or_default();
+    let soup = content::check(&bytes, &ending).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;
+    Ok((soup, Format::of(&ending)))
 }
 
 fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
@@ -95,18 +101,8 @@ pub(super) struct Soup {
     lines: Vec<usize>,
     /// Per triangle the polygon of the file that it is of; empty where there are only triangles.
     polygons: Vec<u32>,
-}
-
-impl Soup {
-    /// Cuts a polygon into a fan around its first corner.
-    fn add_polygon(&mut self, corners: &[u32], line: Option<usize>) {
-        let polygon = self.polygons.last().map_or(0, |last| last + 1);
-        for k in 1..corners.len().saturating_sub(1) {
-            self.triangles.push([corners[0], corners[k], corners[k + 1]]);
-            self.lines.extend(line);
-            self.polygons.push(polygon);
-        }
-    }
+    /// What the reader left out or changed, in sentences.
+    notes: Vec<String>,
 }
 
 /// What is wrong with a file, and where.
@@ -143,13 +139,21 @@ fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
         .filter(|(_, line)| !line.is_empty())
 }
 
+/// A number as programs write it, also with the exponent of Fortran, as in `1.5D-3`.
+fn parse_number(word: &str) -> Option<f64> {
+    word.parse().ok().or_else(|| word.replace(['d', 'D'], "e").parse().ok())
+}
+
 /// A finite number.
 fn number(word: Option<&str>, line: usize, what: &str) -> Result<f64, Problem> {
     let word = word.ok_or_else(|| Problem::at(line, format!("{what} is missing"), "write a number"))?;
-    match word.parse::<f64>() {
-        Ok(x) if x.is_finite() => Ok(x),
-        Ok(_) => Err(Problem::at(line, format!("{what} `{word}` is not finite"), "every number must be finite")),
-        Err(_) => Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a number such as 0.25")),
+    match parse_number(word) {
+        Some(x) if x.is_finite() => Ok(x),
+        Some(_) => Err(Problem::at(line, format!("{what} `{word}` is not finite"), "every number must be finite")),
+        None if parse_number(&word.replace(',', ".")).is_some() => {
+            Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a decimal point, as in 0.25"))
+        }
+        None => Err(Problem::at(line, format!("{what} `{word}` is not a number"), "write a number such as 0.25")),
     }
 }
 

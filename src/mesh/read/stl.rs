@@ -4,13 +4,22 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{Problem, Soup, lines, point};
+use super::content::{claimed_triangles, is_binary_stl};
+use super::{Problem, Soup, point};
+use crate::scene::decode;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
-    // The length tells binary from ascii; the first word does not, since binary headers may say "solid".
+    // A binary file may begin with "solid". Its length tells, or else a zero among its first bytes: the count of
+    // triangles has one, unless there are sixteen millions of them.
+    if is_binary_stl(bytes) {
+        return binary(bytes);
+    }
+    let start = decode(&bytes[..bytes.len().min(START)]);
+    if start.is_text() {
+        return ascii(bytes);
+    }
     match claimed_triangles(bytes) {
-        Some(count) if bytes.len() as u64 == 84 + 50 * count => binary(&bytes[84..]),
-        _ if bytes.trim_ascii_start().starts_with(b"solid") => ascii(bytes),
+        Some(count) if count > 0 && bytes.len() as u64 > 84 + 50 * count => binary(bytes),
         Some(count) => Err(Problem::new(
             format!("{count} triangles are claimed, which takes {} bytes, not {}", 84 + 50 * count, bytes.len()),
             "restore the rest of the file",
@@ -19,10 +28,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     }
 }
 
-fn claimed_triangles(bytes: &[u8]) -> Option<u64> {
-    let field = bytes.get(80..84)?;
-    Some(u32::from_le_bytes(field.try_into().ok()?).into())
-}
+/// As much of a file as shows whether it is a text.
+const START: usize = 1024;
 
 /// Numbers points in the order in which they first appear.
 #[derive(Default)]
@@ -48,14 +55,17 @@ impl Merged {
             triangles,
             lines,
             polygons: Vec::new(),
+            notes: Vec::new(),
         }
     }
 }
 
-fn binary(records: &[u8]) -> Result<Soup, Problem> {
+fn binary(bytes: &[u8]) -> Result<Soup, Problem> {
     let mut merged = Merged::default();
-    let mut triangles = Vec::with_capacity(records.len() / 50);
-    for (n, record) in records.chunks_exact(50).enumerate() {
+    let count = claimed_triangles(bytes).unwrap_or_default() as usize;
+    let records = &bytes[84..];
+    let mut triangles = Vec::with_capacity(count);
+    for (n, record) in records.chunks_exact(50).take(count).enumerate() {
         let mut triangle = [0; 3];
         for (k, corner) in triangle.iter_mut().enumerate() {
             let coordinate = |axis: usize| {
@@ -73,45 +83,77 @@ fn binary(records: &[u8]) -> Result<Soup, Problem> {
         }
         triangles.push(triangle);
     }
-    Ok(merged.soup(triangles, Vec::new()))
+    let mut soup = merged.soup(triangles, Vec::new());
+    let trailing = records.len() - 50 * count;
+    if trailing > 0 {
+        let bytes = if trailing == 1 { "byte" } else { "bytes" };
+        soup.notes.push(format!("ignored {trailing} {bytes} after the {count} triangles that the file claims to have"));
+    }
+    Ok(soup)
 }
 
+/// Keywords stand in any case, and one or several on a line; some programs write `end loop` for `endloop`.
 fn ascii(bytes: &[u8]) -> Result<Soup, Problem> {
-    let text = String::from_utf8_lossy(bytes);
+    let text = decode(bytes).text;
     let mut merged = Merged::default();
     let (mut triangles, mut face_lines) = (Vec::new(), Vec::new());
     let mut corners = Vec::new();
     let mut facet = None;
-    for (line, content) in lines(&text) {
+    let mut begun = false;
+    for (line, content) in (1..).zip(text.lines()) {
+        // Comments are a habit from elsewhere, and `1.#IND` a number that is none.
+        if content.trim_start().starts_with('#') {
+            continue;
+        }
         let mut words = content.split_ascii_whitespace();
-        match words.next() {
-            Some("facet") => {
-                facet = Some(line);
-                corners.clear();
+        while let Some(word) = words.next() {
+            let mut keyword = word.to_ascii_lowercase();
+            if keyword == "end" {
+                keyword.extend(words.next().map(str::to_ascii_lowercase));
             }
-            Some("vertex") => corners.push(merged.vertex(point(&mut words, line)?)),
-            Some("endfacet") => match (corners.as_slice(), facet.take()) {
-                (&[a, b, c], Some(start)) => {
-                    triangles.push([a, b, c]);
-                    face_lines.push(start);
+            match keyword.as_str() {
+                // What follows is a name.
+                "solid" | "endsolid" => words.by_ref().for_each(drop),
+                "facet" => {
+                    if let Some(start) = facet.replace(line) {
+                        return Err(unfinished(start));
+                    }
+                    corners.clear();
+                }
+                // Whatever it says, normals follow from the corners.
+                "normal" => words.by_ref().take(3).for_each(drop),
+                "vertex" => corners.push(merged.vertex(point(&mut words, line)?)),
+                "endfacet" => match (corners.as_slice(), facet.take()) {
+                    (&[a, b, c], Some(start)) => {
+                        triangles.push([a, b, c]);
+                        face_lines.push(start);
+                    }
+                    _ => {
+                        return Err(Problem::at(
+                            line,
+                            format!("a facet with {} vertices ends here", corners.len()),
+                            "a facet has exactly three",
+                        ));
+                    }
+                },
+                "outer" | "loop" | "endloop" => {}
+                _ if !begun => {
+                    let reason = format!("this is a text that begins with `{word}`, and an STL file with `solid`");
+                    return Err(Problem::at(line, reason, "give an STL file, or correct the file's ending"));
                 }
                 _ => {
-                    return Err(Problem::at(
-                        line,
-                        format!("a facet with {} vertices ends here", corners.len()),
-                        "a facet has exactly three",
-                    ));
+                    return Err(Problem::at(line, format!("`{word}` is no STL keyword"), "correct or remove the line"));
                 }
-            },
-            Some("solid" | "outer" | "endloop" | "endsolid") => {}
-            Some(word) => {
-                return Err(Problem::at(line, format!("`{word}` is no STL keyword"), "correct or remove the line"));
             }
-            None => {}
+            begun = true;
         }
     }
     match facet {
-        Some(line) => Err(Problem::at(line, "this facet does not end", "restore the rest of the file")),
+        Some(line) => Err(unfinished(line)),
         None => Ok(merged.soup(triangles, face_lines)),
     }
+}
+
+fn unfinished(line: usize) -> Problem {
+    Problem::at(line, "this facet does not end", "restore the rest of the file")
 }

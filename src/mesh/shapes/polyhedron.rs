@@ -6,18 +6,18 @@ use glam::DVec3;
 
 use super::limits::{at_least, face_count, finite, invalid};
 use super::named_polyhedra::named;
-use crate::mesh::{MeshError, Surface, repair};
+use crate::mesh::{MeshError, Surface, polygon, repair};
 use crate::scene::PolyhedronSource;
 
 const SHAPE: &str = "polyhedron";
 
 /// A polyhedron with every edge divided into `subdivisions` parts. Quadrilaterals are cut along a diagonal,
-/// polygons of five or more sides into a fan around the mean of their corners, and each of these triangles
-/// into `subdivisions²` similar ones. Explicit polygons are oriented and compacted by [`repair`].
+/// polygons of five or more sides into a fan around the mean of their corners (if that sees all sides, and else into
+/// triangles between corners), and each of these triangles into `subdivisions²` similar ones. Explicit polygons are oriented and compacted by [`repair`].
 ///
 /// # Errors
 /// [`MeshError::Shape`] for an unknown name, no subdivisions, polygons with fewer than three corners or
-/// unknown ones; what [`repair`] refuses.
+/// unknown ones, or with an outline that crosses itself; what [`repair`] refuses.
 pub fn polyhedron(source: &PolyhedronSource, subdivisions: usize) -> Result<Surface, MeshError> {
     at_least(SHAPE, "subdivisions", subdivisions, 1)?;
     let (mut corners, polygons) = match source {
@@ -44,18 +44,18 @@ pub fn polyhedron(source: &PolyhedronSource, subdivisions: usize) -> Result<Surf
             return Err(invalid(SHAPE, reason, "vertices count from 0"));
         }
     }
-    for polygon in &polygons {
+    for (n, polygon) in polygons.iter().enumerate() {
         let polygon: Vec<u32> = polygon.iter().map(|&v| v as u32).collect();
-        if let [a, b, c, ref rest @ ..] = polygon[..]
-            && rest.len() < 2
-        {
-            triangles.push([a, b, c]);
-            triangles.extend(rest.iter().map(|&d| [a, c, d]));
-            continue;
+        match middle(&polygon, &corners) {
+            Some(point) if polygon.len() > 4 => {
+                let center = corners.len() as u32;
+                corners.push(point);
+                triangles.extend((0..polygon.len()).map(|k| [center, polygon[k], polygon[(k + 1) % polygon.len()]]));
+            }
+            _ => polygon::cut(&polygon, Some(&corners), &mut triangles).map_err(|polygon::CrossesItself| {
+                invalid(SHAPE, format!("the outline of polygon {n} crosses or touches itself"), "give it an inside")
+            })?,
         }
-        let center = corners.len() as u32;
-        corners.push(polygon.iter().map(|&v| corners[v as usize]).sum::<DVec3>() / polygon.len() as f64);
-        triangles.extend((0..polygon.len()).map(|k| [center, polygon[k], polygon[(k + 1) % polygon.len()]]));
     }
     let squared = (subdivisions as f64) * (subdivisions as f64);
     face_count(SHAPE, triangles.len() as f64 * squared, "lower `subdivisions`")?;
@@ -65,6 +65,15 @@ pub fn polyhedron(source: &PolyhedronSource, subdivisions: usize) -> Result<Surf
     let mut surface = super::embedded(positions, &faces)?;
     surface.repairs = coarse.repairs;
     Ok(surface)
+}
+
+/// The mean of the corners of a polygon, if all sides are seen from there.
+fn middle(polygon: &[u32], corners: &[DVec3]) -> Option<DVec3> {
+    let points: Vec<DVec3> = polygon.iter().map(|&v| corners[v as usize]).collect();
+    let center = points.iter().sum::<DVec3>() / points.len() as f64;
+    let sides = || points.iter().zip(points.iter().cycle().skip(1)).map(|(&a, &b)| (a - center).cross(b - center));
+    let normal: DVec3 = sides().sum();
+    sides().all(|side| side.dot(normal) > 0.0).then_some(center)
 }
 
 /// Divides every edge into `n` equal parts and every triangle into `n²`. The corners keep their numbers.

@@ -135,7 +135,7 @@ impl RicciFlow {
     /// How far the curvature of any vertex of a metric (|E| lengths) is from its target, in radians.
     ///
     /// # Errors
-    /// [`MetricError::TriangleInequality`]
+    /// [`MetricError::TriangleInequality`], [`MetricError::TooThin`]
     pub fn curvature_error(&self, mesh: &Mesh, edge_lengths: &[f64]) -> Result<f64, MetricError> {
         let triangulation = Triangulation::new(mesh, edge_lengths);
         let shape = triangulation.shape(&vec![0.0; mesh.vertex_count()])?;
@@ -156,17 +156,14 @@ impl RicciFlow {
                     }
                     None
                 }
-                Err(reason @ MetricError::TriangleInequality { .. }) => {
+                Err(reason) => {
                     self.step *= 0.25;
-                    Some(reason)
+                    Some(reason.degenerate_face().ok_or(reason)?)
                 }
-                Err(other) => return Err(other),
             };
             if self.step < SHORTEST_STEP {
-                let (face, vertices) = match blocked {
-                    Some(MetricError::TriangleInequality { face, vertices, .. }) => (face, vertices),
-                    _ => self.triangulation.thinnest_face(&self.state.shape),
-                };
+                let thinnest = || self.triangulation.thinnest_face(&self.state.shape);
+                let (face, vertices) = blocked.unwrap_or_else(thinnest);
                 return Err(MetricError::FlowBlocked { time: self.state.time, face, vertices });
             }
         }

@@ -2,7 +2,7 @@
 
 use crate::mesh::Mesh;
 use crate::metric::MetricError;
-use crate::metric::intrinsic::{TRIANGLE_MARGIN, angles, area};
+use crate::metric::intrinsic::{TRIANGLE_MARGIN, angles, area, slack};
 use std::f64::consts::{PI, TAU};
 
 /// Faces and reference lengths `ℓ`, to be scaled to `ℓ̃_ij = ℓ_ij exp((u_i + u_j)/2)`.
@@ -90,8 +90,7 @@ impl Triangulation {
         let (mut count, mut worst) = (0, (TRIANGLE_MARGIN, 0));
         for (f, corners) in self.corners.iter().enumerate() {
             let l = self.scaled(f, &half_factors);
-            let sum = l[0] + l[1] + l[2];
-            let slack = (sum - 2.0 * l[0].max(l[1]).max(l[2])) / sum;
+            let slack = slack(l);
             if slack.is_nan() || slack < TRIANGLE_MARGIN {
                 count += 1;
                 // An overflow compares as the worst.
@@ -115,12 +114,8 @@ impl Triangulation {
         }
         if count > 0 {
             let face = worst.1;
-            return Err(MetricError::TriangleInequality {
-                count,
-                face,
-                vertices: self.corners[face],
-                lengths: self.scaled(face, &half_factors),
-            });
+            let lengths = self.scaled(face, &half_factors);
+            return Err(MetricError::no_triangle(count, face, self.corners[face], lengths));
         }
         Ok(shape)
     }

@@ -154,8 +154,7 @@ fn solve(triangulation: Triangulation, log: Option<&mut Vec<u32>>, goal: &Goal) 
                         break next;
                     }
                 }
-                // A step too far.
-                Err(MetricError::TriangleInequality { .. } | MetricError::TooManyFlips { .. }) => {}
+                Err(reason) if reason.is_of_long_step() => {}
                 Err(other) => return Err(other),
             }
             length *= 0.5;
@@ -228,10 +227,8 @@ impl Iterate {
             let u = self.u.iter().zip(&change).map(|(u, change)| u - change).collect();
             match Iterate::new(self.triangulation.clone(), self.flips.clone(), u, goal) {
                 Ok(next) if norm(&next.excess) < CORRECTION_DECREASE * norm(&self.excess) => self = next,
-                Ok(_) | Err(MetricError::TriangleInequality { .. } | MetricError::TooManyFlips { .. }) => {
-                    return Ok((self, taken));
-                }
-                Err(other) => return Err(other),
+                Err(reason) if !reason.is_of_long_step() => return Err(reason),
+                Ok(_) | Err(_) => return Ok((self, taken)),
             }
         }
         Ok((self, MAX_CORRECTIONS))
