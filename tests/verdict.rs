@@ -92,7 +92,7 @@ fn causes_are_told_apart() {
     assert!(bad(Places { sharpest_degrees: -140.0, sharpest_vertex: 9, ..fine.clone() }, 0).contains("vertex 9"));
     assert!(bad(fine.clone(), 8).contains("This class is hard on this mesh"));
     let running = FrameReport { rims: 3, converged: false, places: fine, ..good() };
-    assert!(verdict(&[running.clone()], &none).expect("a verdict").contains("max_steps"));
+    assert!(verdict(std::slice::from_ref(&running), &none).expect("a verdict").contains("max_steps"));
     assert_eq!(verdict(&[FrameReport { on_the_way: true, ..running }], &none), None);
 }
 

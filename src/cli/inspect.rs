@@ -145,8 +145,11 @@ impl Inspection {
     }
 }
 
+/// A heading, and what a frame has below it.
+type Column = (&'static str, fn(&FrameReport) -> Option<String>);
+
 /// Columns that are left out where no frame has a value.
-const EXTRAS: [(&str, fn(&FrameReport) -> Option<String>); 4] = [
+const EXTRAS: [Column; 4] = [
     ("angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.rms_degrees))),
     ("max angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.max_degrees))),
     ("largest dent", |report| report.largest_dent.map(short)),

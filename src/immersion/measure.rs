@@ -99,7 +99,7 @@ pub fn enclosed_volume(mesh: &Mesh, positions: &[DVec3]) -> Option<f64> {
     // From a point near the surface, so that nothing cancels far from the origin.
     let origin = *positions.first()?;
     let corners = |f| mesh.corners(f).map(|v: VertexId| positions[v.index()] - origin);
-    Some(mesh.faces().map(|f| corners(f)).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum())
+    Some(mesh.faces().map(corners).map(|[a, b, c]| a.dot(b.cross(c)) / 6.0).sum())
 }
 
 /// Bending angles α of a map in radians, |E|, 0 on the boundary: the angle from the normal on the named side
