@@ -124,7 +124,7 @@ fn a_film_of_several_components_resumes() {
     let text = "[clock]\nframes = 4\n[start]\nrandom = 3\n[[metric.key]]\ntime = 0\n[[metric.key]]\ntime = 1\n\
                 positions = [\"x + 0.2 * min(x, 1) \", \"y\", \"z\"]";
     let both = together(&[(&torus(), 1.0, DVec3::ZERO), (&torus(), SMALL, ASIDE)]);
-    let start = || Simulation::new(&scene(&text), both.clone()).expect("a simulation");
+    let start = || Simulation::new(&scene(text), both.clone()).expect("a simulation");
     let mut whole = start();
     let mut frames: Vec<Frame> = Vec::new();
     let mut checkpoint = None;

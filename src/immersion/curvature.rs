@@ -52,7 +52,7 @@ fn extended(mesh: &Mesh, mut known: Vec<Option<f64>>) -> Vec<Option<f64>> {
 /// positive where the surface bulges to the front, and 0 at vertices without area.
 ///
 /// Nothing is known of the bending across the boundary, and edges that bend are not half of those around there. So the
-/// values inside are extended to it, linearly where those within [`REACH`] edges say how they change and as their mean
+/// values inside are extended to it, linearly where those within three edges say how they change and as their mean
 /// otherwise; where a component has no interior vertex, the edges around are all there is.
 pub fn mean_curvatures(mesh: &Mesh, positions: &[DVec3]) -> Vec<f64> {
     let mut sums = vec![0.0; mesh.vertex_count()];
