@@ -64,7 +64,8 @@ fn a_mesh_by_another_name() {
         ("k.txt", b"{\n  \"mesh\": 1\n}\n".to_vec(), "it is JSON"),
         ("l.txt", b"<svg xmlns='x'>\n</svg>".to_vec(), "it is XML"),
         ("m.txt", b"0,1,0.5\n1,2,0.7\n".to_vec(), "it is a table"),
-        ("n.toml", b"\xff\xfe[\0m\0e\0s\0h\0]\0".to_vec(), "save the file as UTF-8"),
+        // UTF-16 is read, and so it is told what is in it.
+        ("n.toml", "\u{feff}v 0 0 0\nv 1 0 0\n".encode_utf16().flat_map(u16::to_le_bytes).collect(), "it is a mesh"),
         ("o.png", b"anything".to_vec(), "it is a picture"),
         ("p.csv", b"0,1,2\n".to_vec(), "it is a table"),
         ("q.json", b"{}".to_vec(), "it is JSON"),

@@ -1,5 +1,6 @@
 //! Files that are given where a scene belongs: what they are, by ending and by content, and what to do with them.
 
+use super::text::decode;
 use std::path::Path;
 
 /// Endings of meshes that scenes can name.
@@ -55,12 +56,12 @@ pub(super) fn foreign_content(path: &Path, bytes: &[u8]) -> Option<Sentence> {
         Some(a_mesh(path))
     } else if begins(b"PK\x03\x04") || begins(b"\x93NUMPY") {
         Some(arrays())
-    } else if begins(b"\xff\xfe") || begins(b"\xfe\xff") {
-        Some(("it is UTF-16 text".into(), "save the file as UTF-8".into()))
-    } else if bytes.iter().take(LOOKED_AT).any(|&b| b == 0) {
-        Some(("it is binary, not a scene".into(), "name a scene file, which is a text (TOML)".into()))
     } else {
-        foreign_text(path, &String::from_utf8_lossy(&bytes[..bytes.len().min(LOOKED_AT)]))
+        let head = decode(&bytes[..bytes.len().min(LOOKED_AT)]);
+        match head.is_text() {
+            true => foreign_text(path, &head.text),
+            false => Some(("it is binary, not a scene".into(), "name a scene file, which is a text (TOML)".into())),
+        }
     }
 }
 
