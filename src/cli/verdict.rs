@@ -2,6 +2,7 @@
 
 use super::text_table::percent;
 use crate::cache::FrameReport;
+use crate::evolve::MAX_RESTARTS;
 use crate::scene::ChecksSection;
 
 /// Length error that is said where the scene states no bound.
@@ -14,8 +15,6 @@ const LOUD_PIN: f64 = 1e-6;
 const SLIVER: f64 = 0.05;
 /// A vertex with more curvature than this, in degrees, has few faces for much shape.
 const SHARP: f64 = 90.0;
-/// So many restarts are all that there are.
-const ALL_RESTARTS: usize = 8;
 
 /// One sentence about the frame that a film leads to, or about each frame where every one is of another class; none
 /// where all is well. What the scene bounds under `[checks]` is measured by that.
@@ -110,7 +109,7 @@ fn cause(report: &FrameReport) -> String {
             places.sharpest_vertex, places.sharpest_degrees
         );
     }
-    if report.cursor.restarts >= ALL_RESTARTS {
+    if report.cursor.restarts >= MAX_RESTARTS {
         return format!(
             "This class is hard on this mesh: rims were left each of the {} times that frames were drawn; try a finer \
              mesh, another class or another seed under [start]",

@@ -97,9 +97,8 @@ impl Course {
 
 /// The metric of a component of a surface with this one, shared where it is all of it.
 pub(super) fn metric_of(component: &Component, whole: &Arc<Metric>) -> Result<Arc<Metric>, MetricError> {
-    let lengths = component.edges.pick(whole.edge_lengths());
-    if lengths.len() == whole.edge_lengths().len() {
+    if component.mesh.edge_count() == whole.edge_lengths().len() {
         return Ok(whole.clone());
     }
-    Metric::new(&component.mesh, lengths).map(Arc::new)
+    Metric::new(&component.mesh, component.edges.pick(whole.edge_lengths())).map(Arc::new)
 }

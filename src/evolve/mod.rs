@@ -25,5 +25,6 @@ pub use error::{EvolveError, SetupError};
 pub use pace::{Pace, Settling};
 pub use phase::{Phase, PhaseError, default_phases, phase_sections, phases_from_scene};
 pub use progress::{Observer, Progress, Unobserved};
+pub use relax::MAX_RESTARTS;
 pub use report::{BendingError, ComponentReport, Cursor, FrameReport, NO_CLASS, Places};
 pub use simulation::{Checkpoint, Frame, Simulation};

@@ -10,7 +10,7 @@ use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
 /// How often frames are drawn anew at most.
-const MAX_RESTARTS: usize = 8;
+pub const MAX_RESTARTS: usize = 8;
 
 impl Relaxation {
     /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases.
