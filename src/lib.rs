@@ -19,6 +19,7 @@
 //! The modules are listed in the order in which data passes through the program; each imports only
 //! modules above it.
 
+pub mod advice;
 pub mod scene;
 
 pub mod algebra;

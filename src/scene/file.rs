@@ -13,6 +13,7 @@ use super::source::Source;
 use super::table::Table;
 use super::text::decode;
 use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
+use crate::advice::Advice;
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;
@@ -86,6 +87,11 @@ impl Scene {
     pub fn complain_of(&self, key: &str, message: &str) -> SceneError {
         let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
         self.complain(key, reason, remedy)
+    }
+
+    /// The error of a later stage that knows its remedy, at a dotted key.
+    pub fn complain_about(&self, key: &str, error: &impl Advice) -> SceneError {
+        self.complain(key, error.reason(), error.remedy())
     }
 
     /// A path of the scene, seen from the working folder.
