@@ -20,7 +20,7 @@
 //! modules above it.
 
 pub mod advice;
-pub mod scene;
+pub mod tuning;
 
 pub mod algebra;
 pub mod timeline;
@@ -35,8 +35,11 @@ pub mod immersion;
 
 pub mod evolve;
 
-pub mod cache;
 pub mod render;
+
+pub mod scene;
+
+pub mod cache;
 
 pub mod movie;
 

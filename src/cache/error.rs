@@ -1,5 +1,6 @@
 //! Why the folder of a film cannot be read or written.
 
+use crate::evolve::UnfitFrame;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -72,12 +73,12 @@ pub enum CacheError {
         remedy: &'static str,
     },
     /// A frame that is not fit to be kept.
-    #[error("frame {frame}: {reason}; this frame was not written")]
+    #[error("frame {frame} was not written: {reason}")]
     Unfit {
         /// The frame.
         frame: usize,
         /// Why it is not.
-        reason: String,
+        reason: UnfitFrame,
     },
 }
 

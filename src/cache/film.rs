@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 use super::FORMAT;
 use super::error::{CacheError, RESTART, SIMULATE_AGAIN};
 use super::file::{SealError, read, remove, seal, unseal, write_atomically};
-use super::frame::FrameState;
+use super::frame::{from_npz, to_npz};
 use super::manifest::{Film, Manifest, MeshCounts};
 use super::npz::{ArrayReader, ArrayWriter};
-use crate::evolve::FrameReport;
+use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
 
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
@@ -183,21 +183,21 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Unfit`] if an array does not fit the mesh or a number is not finite,
     /// [`CacheError::Io`] if the system refuses; then the frame counts as not done.
-    pub fn write_frame(&self, state: &FrameState) -> Result<(), CacheError> {
-        if let Some(reason) = state.unfit(&self.manifest.mesh) {
-            return Err(CacheError::Unfit { frame: state.frame, reason });
-        }
-        let state_path = self.state_path(state.frame);
-        let bytes = state.to_npz().map_err(CacheError::io(&state_path, "written"))?;
+    pub fn write_frame(&self, frame: &Frame) -> Result<(), CacheError> {
+        let MeshCounts { vertices, edges, faces, .. } = self.manifest.mesh;
+        let number = frame.report.frame;
+        frame.fits_counts(vertices, edges, faces).map_err(|reason| CacheError::Unfit { frame: number, reason })?;
+        let state_path = self.state_path(number);
+        let bytes = to_npz(frame).map_err(CacheError::io(&state_path, "written"))?;
         write_unless_same(&state_path, &bytes)?;
         let record = FrameRecord {
             format: FORMAT,
             fingerprint: self.manifest.fingerprint,
             state_bytes: bytes.len() as u64,
             state_crc32: crc32fast::hash(&bytes),
-            report: state.report.clone(),
+            report: frame.report.clone(),
         };
-        let record_path = self.record_path(state.frame);
+        let record_path = self.record_path(number);
         write_atomically(&record_path, &sealed(&record_path, &record)?)
     }
 
@@ -206,10 +206,10 @@ impl Cache {
     /// # Errors
     /// [`CacheError::Missing`] if it is not there, [`CacheError::Damaged`] and [`CacheError::Version`]
     /// if it is not what was written.
-    pub fn read_frame(&self, frame: usize) -> Result<FrameState, CacheError> {
+    pub fn read_frame(&self, frame: usize) -> Result<Frame, CacheError> {
         let (bytes, report) = self.verified(frame)?;
         let path = self.state_path(frame);
-        FrameState::from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| CacheError::Damaged {
+        from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| CacheError::Damaged {
             path,
             reason,
             remedy: SIMULATE_AGAIN,

@@ -24,7 +24,6 @@ pub use crate::evolve::FrameReport;
 pub use error::CacheError;
 pub(crate) use file::write_atomically;
 pub use film::Cache;
-pub use frame::FrameState;
 pub use manifest::{Film, Manifest, MeshCounts};
 
 /// Version of all files in the folder. Raised when their meaning changes.

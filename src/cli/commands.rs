@@ -9,6 +9,7 @@ use clap::{CommandFactory, Parser};
 
 use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film, SceneFile};
+use super::check;
 use super::checks::step_limit_line;
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
@@ -120,10 +121,10 @@ fn execute(arguments: &Arguments) -> Result<(), Failure> {
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
-        Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", pipeline::phases(&read(file)?)?)?),
+        Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
         Command::Check { scene: file, phases: false } => {
             let scene = read(file)?;
-            for note in pipeline::check(&scene)? {
+            for note in check::check(&scene)? {
                 writeln!(out, "{note}")?;
             }
             Ok(writeln!(out, "{}: nothing is wrong", file.path.display())?)

@@ -4,6 +4,7 @@
 //! while running (a check that does not hold included), 2 the input is at fault.
 
 mod arguments;
+mod check;
 mod checks;
 mod commands;
 mod curves;

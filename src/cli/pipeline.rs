@@ -2,18 +2,17 @@
 
 use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Instant;
+use std::sync::Arc;
 
-use super::Progress;
-use super::diagnostics::say;
-use super::selections::selection_notes;
-use crate::algebra::Complex;
-use crate::cache::{Cache, CacheError, Film, FrameState};
-use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation, clock_of, phase_sections};
-use crate::mesh::{self, longest_loops, outer_loops};
+use glam::DVec3;
+
+use super::check::contradictions;
+use super::progress::Progress;
+use crate::advice::Advice;
+use crate::cache::{Cache, CacheError, Film};
+use crate::evolve::{self, EvolveError, Observer, Simulation};
 use crate::movie::{self, Arrivals, MovieError, Plan};
-use crate::scene::{Scene, SceneError, SceneErrors, SpinSection};
-use crate::spin::{SpinError, SpinStructure, class_digits};
+use crate::scene::{Scene, SceneError, SceneErrors, clock_of};
 
 /// Why a command did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -68,133 +67,40 @@ pub struct Summary {
     pub kept: usize,
 }
 
-/// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
-pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
-    let mut simulation = set_up(scene)?;
-    simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
-    contradictions(scene, &simulation)?.iter().for_each(say);
-    let plan = Plan::of(scene)?;
-    let [width, height] = plan.size();
-    let mesh = &simulation.mesh;
-    let mut notes = vec![format!(
-        "{} vertices, {} edges, {} faces, genus {}, {} boundary loops, {} components",
-        mesh.vertex_count(),
-        mesh.edge_count(),
-        mesh.face_count(),
-        mesh.genus(),
-        mesh.boundary_loops().len(),
-        mesh.components().len()
-    )];
-    if scene.spin == SpinSection::All {
-        let frames = clock_of(scene, mesh).map_or(1, |clock| clock.frames);
-        let betti = mesh.betti();
-        let which = if betti < 20 && frames == 1 << betti { "each of" } else { "the first of" };
-        notes.push(format!("{frames} frames, one for {which} the 2^{betti} classes"));
-    }
-    let class = simulation.spin().class(mesh, &simulation.metric, &simulation.homology);
-    for (k, (generator, q)) in simulation.homology.generators().iter().zip(class).enumerate() {
-        notes.push(format!(
-            "generator {} of length {:.4} through {} faces: q = {}",
-            k + 1,
-            generator.length,
-            generator.strip.exits().len(),
-            u8::from(q)
-        ));
-    }
-    let (loops, places) = (mesh.boundary_loops(), simulation.mesh_places.as_deref());
-    let (outer, longest) = (outer_loops(mesh, places), longest_loops(mesh, places));
-    for (k, cycle) in loops.iter().enumerate() {
-        let length: f64 = cycle.iter().map(|&h| simulation.metric.length(mesh.edge(h))).sum();
-        let names = if loops.len() == 1 { String::new() } else { names_of_loop(k, &outer, &longest) };
-        notes.push(format!("boundary loop {k} of length {length:.4} with {} vertices{names}", cycle.len()));
-    }
-    notes.extend(selection_notes(scene, mesh, places));
-    notes.extend(simulation.class_of_start().map(|start| start_and_target(start, &simulation)));
-    notes.extend(simulation.repairs.iter().cloned());
-    notes.push(format!("pictures of {width} x {height} pixels"));
-    notes.extend(plan.notes());
-    Ok(notes)
+/// A simulation, and what was known of its surface before.
+pub(super) struct SetUp {
+    pub simulation: Simulation,
+    /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
+    pub places: Option<Vec<DVec3>>,
+    /// What had to be repaired in the mesh, and what else is worth saying.
+    pub notes: Vec<String>,
 }
 
-/// What a boundary loop is called beside its number.
-fn names_of_loop(k: usize, outer: &[usize], longest: &[usize]) -> String {
-    match (outer.contains(&k), longest.contains(&k)) {
-        (true, true) => " (outer, longest)".to_owned(),
-        (true, false) => " (outer)".to_owned(),
-        (false, true) => " (longest)".to_owned(),
-        (false, false) => String::new(),
-    }
-}
-
-/// Warnings about pins that no surface with these lengths can keep.
-fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
-    let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
-    Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
-}
-
-/// The phases of a scene as they can be pasted into one, where they replace the default ones and change nothing.
-pub(super) fn phases(scene: &Scene) -> Result<String, PipelineError> {
-    let simulation = set_up(scene)?;
-    let phases = phase_sections(scene, simulation.mesh.face_count())
-        .map_err(|error| complaint(scene, &error.key, &error.error.to_string()))?;
-    let count = phases.len();
-    let mut text = format!("# The {count} phases of {}.", scene.name);
-    if scene.clock.frames > 1 {
-        text += " Frames that follow in a film take the last one, with the tolerance and\n# max_steps of [clock].";
-    }
-    text.push('\n');
-    for (k, phase) in phases.iter().enumerate() {
-        text += &format!("\n# phase {} of {count}\n{phase}", k + 1);
-    }
-    Ok(text)
-}
-
-/// Whether what frames start from and what they go to are in one class. A film cannot pass from one to another.
-fn start_and_target(start: Result<Vec<bool>, SpinError>, simulation: &Simulation) -> String {
-    let target = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
-    match start {
-        Ok(start) if start != target => format!(
-            "start and target are not in one class: the start is in {}, the target in {}, so rims or pinch points will \
-             stay; write class = {:?}, or start from another shape",
-            class_digits(&start),
-            class_digits(&target),
-            class_digits(&start)
-        ),
-        Ok(_) if target.is_empty() => "start and target are in one class, there is no other".to_owned(),
-        Ok(_) => format!("start and target are in one class, {}", class_digits(&target)),
-        Err(SpinError::NotAnImmersion { pinch_points }) => format!(
-            "the start is in no class: {pinch_points} of its vertex stars are figure-8, so it is no immersion; start \
-             from a shape without, or expect that rims resolve on the way"
-        ),
-        Err(error) => error.to_string(),
+impl SetUp {
+    /// Of a scene; what is at fault is shown where the scene names it.
+    pub fn of(scene: &Scene) -> Result<SetUp, PipelineError> {
+        let surface = scene.surface()?;
+        let places = surface.places().map(<[DVec3]>::to_vec);
+        let mut notes = surface.repairs.clone();
+        let simulation = scene.simulation_of(surface)?;
+        let of_metric = simulation.metric_program().notes();
+        notes.extend(of_metric.into_iter().map(|(change, note)| format!("metric.change[{change}]: {note}")));
+        Ok(SetUp { simulation, places, notes })
     }
 }
 
 /// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
 pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
     if scene.clock.a_frame_for_each_class {
-        let surface = mesh::of_scene(scene);
-        let surface = surface.map_err(|error| complaint(scene, "mesh", &error.to_string()))?;
-        scene.clock =
-            clock_of(scene, &surface.mesh).map_err(|error| complaint(scene, error.key(), &error.to_string()))?;
+        scene.clock = clock_of(scene, &scene.surface()?.mesh)?;
     }
     Ok(())
 }
 
-/// The simulation of a scene; what is at fault is shown where the scene names it.
-fn set_up(scene: &Scene) -> Result<Simulation, PipelineError> {
-    Simulation::from_scene(scene).map_err(|error: SetupError| complaint(scene, error.key(), &error.to_string()))
-}
-
-/// Shows an error where the scene names what is at fault.
-fn complaint(scene: &Scene, key: &str, message: &str) -> PipelineError {
-    scene.complain_of(key, message).into()
-}
-
 /// An error of a running simulation, shown where the scene names what is at fault, if it does.
-fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
-    match error.key() {
-        Some(key) => complaint(scene, key, &error.to_string()),
+pub(super) fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
+    match scene.fault(&error) {
+        Some(mistake) => mistake.into(),
         None => error.into(),
     }
 }
@@ -251,52 +157,34 @@ fn simulate_for(
     progress: &mut dyn Progress,
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
-    let mut simulation = set_up(scene)?;
+    let SetUp { mut simulation, places, notes } = SetUp::of(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
-    simulation.repairs.iter().for_each(|repair| progress.note(repair));
+    notes.iter().for_each(|note| progress.note(note));
     // A time without a metric is told when its frame is made.
     contradictions(scene, &simulation).iter().flatten().for_each(|warning| progress.note(warning));
     let film = Film::of(scene);
-    let places = simulation.mesh_places.as_deref();
+    let (mesh, places) = (simulation.mesh().clone(), places.as_deref());
     let cache = if restart {
-        Cache::restart(folder, &film, &simulation.mesh, places)?
+        Cache::restart(folder, &film, &mesh, places)?
     } else {
-        Cache::open_or_create(folder, &film, &simulation.mesh, places)?
+        Cache::open_or_create(folder, &film, &mesh, places)?
     };
     let kept = cache.last_valid_frame()?.unwrap_or(0);
     if kept > 0 {
-        let state = cache.read_frame(kept)?;
-        let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
-        let checkpoint = Checkpoint {
-            frame: kept,
-            cursors: state.report.cursors(),
-            frames: state.frames,
-            spin: SpinStructure::from_transports(transports),
-            edge_lengths: state.edge_lengths,
-            positions: state.positions,
-            rims: simulation.mesh.edges().filter(|e| state.rims[e.index()]).collect(),
-        };
-        simulation.resume(checkpoint).map_err(|error| at_fault(scene, error))?;
+        simulation.resume(Arc::new(cache.read_frame(kept)?)).map_err(|error| {
+            let reason = format!("the film cannot go on after it: {}", error.reason());
+            CacheError::Damaged {
+                path: folder.to_owned(),
+                reason,
+                remedy: "pass --restart to `immerse simulate` to begin anew",
+            }
+        })?;
     }
     arrivals.reach(kept);
     for number in kept + 1..=scene.clock.frames {
-        let start = Instant::now();
         let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
         let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
-        let mut report = frame.report;
-        report.seconds = start.elapsed().as_secs_f64();
-        let mut rims = vec![false; simulation.mesh.edge_count()];
-        frame.rims.iter().for_each(|e| rims[e.index()] = true);
-        cache.write_frame(&FrameState {
-            frame: number,
-            time: report.time,
-            positions: frame.positions,
-            frames: simulation.face_frames(),
-            transport: simulation.spin().transports().iter().map(|t| [t.re, t.im]).collect(),
-            edge_lengths: simulation.metric.edge_lengths().to_vec(),
-            rims,
-            report,
-        })?;
+        cache.write_frame(&frame)?;
         arrivals.reach(number);
     }
     Ok(Summary { made: scene.clock.frames - kept, kept })

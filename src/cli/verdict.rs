@@ -2,8 +2,8 @@
 
 use super::text_table::percent;
 use crate::cache::FrameReport;
-use crate::evolve::MAX_RESTARTS;
 use crate::scene::ChecksSection;
+use crate::tuning::MAX_RESTARTS;
 
 /// Length error that is said where the scene states no bound.
 const LOUD_ERROR: f64 = 0.01;

@@ -1,15 +1,13 @@
 //! Pins that no surface with the lengths of the metric can keep.
 
-use super::{EvolveError, Simulation};
+use super::course::Course;
+use super::error::EvolveError;
 use crate::mesh::{EdgeId, Mesh, VertexId};
+use crate::timeline::Clock;
+use crate::tuning::{PINNED_LENGTH_TOLERANCE, PINNED_PATH_SOURCES};
 use glam::DVec3;
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
-
-/// Lengths that differ by less than this share are taken for equal: what is reached differs by more.
-const TOLERANCE: f64 = 1e-3;
-/// Paths are looked for from so many of the pinned vertices, spread over all of them.
-const SOURCES: usize = 16;
 
 /// What pins and metric disagree about at a time.
 struct Contradiction {
@@ -26,57 +24,51 @@ enum Length {
     Path { ends: [VertexId; 2], pinned: f64, path: f64 },
 }
 
-impl Simulation {
-    /// Sentences about pins that contradict the metric at the time of any frame, the worst of each kind: pinned edges that do
-    /// not have the length the metric asks for, and pinned vertices that are farther apart than the shortest path
-    /// along edges. Surfaces are found all the same, but do not have all lengths.
-    ///
-    /// # Errors
-    /// [`EvolveError`] where the scene gives no metric or no place for its pins.
-    pub fn pin_contradictions(&self) -> Result<Vec<String>, EvolveError> {
-        let pinned = self.course.pins.vertices();
-        if pinned.len() < 2 {
-            return Ok(Vec::new());
-        }
-        let mesh = &self.mesh;
-        let sources: Vec<VertexId> =
-            (0..SOURCES.min(pinned.len())).map(|k| pinned[k * pinned.len() / SOURCES.min(pinned.len())]).collect();
-        let mut program = self.course.program.clone();
-        let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
-        let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
-        let times = if program.changes() || self.course.pins.changes() {
-            self.clock.times().collect()
-        } else {
-            vec![self.time]
-        };
-        for time in times {
-            let (lengths, paths) = match known.take() {
-                Some(known) if !program.changes() => known,
-                _ => {
-                    let at = program.at(mesh, time).map_err(|error| EvolveError::Metric { time, error })?;
-                    let lengths = at.metric.edge_lengths().to_vec();
-                    let paths = sources.iter().map(|&source| shortest_paths(mesh, &lengths, source)).collect();
-                    (lengths, paths)
-                }
-            };
-            let places = self.course.pins.at(time)?;
-            keep_worse(&mut worst_edge, worst_pinned_edge(mesh, &lengths, &places, time));
-            for (source, path) in sources.iter().zip(&paths) {
-                keep_worse(&mut worst_path, farthest_beyond(*source, path, &places, time));
-            }
-            known = Some((lengths, paths));
-        }
-        // An edge that is too short for its pins is a path, too.
-        let edge_says_so =
-            |path: &Contradiction| worst_edge.as_ref().is_some_and(|edge| edge.ratio >= path.ratio * (1.0 - TOLERANCE));
-        worst_path = worst_path.filter(|path| !edge_says_so(path));
-        Ok(worst_edge.into_iter().chain(worst_path).map(|worst| worst.sentence(mesh)).collect())
+/// Sentences about pins that contradict the metric at the time of any frame, the worst of each kind: pinned edges that do
+/// not have the length the metric asks for, and pinned vertices that are farther apart than the shortest path along
+/// edges. Surfaces are found all the same, but do not have all lengths.
+///
+/// # Errors
+/// [`EvolveError`] where there is no metric or no place for a pin.
+pub(super) fn contradictions(mesh: &Mesh, course: &Course, clock: &Clock) -> Result<Vec<String>, EvolveError> {
+    let pins = course.pins();
+    let pinned = pins.vertices();
+    if pinned.len() < 2 {
+        return Ok(Vec::new());
     }
+    let count = PINNED_PATH_SOURCES.min(pinned.len());
+    let sources: Vec<VertexId> = (0..count).map(|k| pinned[k * pinned.len() / count]).collect();
+    let mut program = course.program().clone();
+    let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
+    let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
+    let is_still = !program.changes() && !pins.changes();
+    for time in clock.times().take(if is_still { 1 } else { usize::MAX }) {
+        let (lengths, paths) = match known.take() {
+            Some(known) if !program.changes() => known,
+            _ => {
+                let lengths = program.at(mesh, time)?.metric.edge_lengths().to_vec();
+                let paths = sources.iter().map(|&source| shortest_paths(mesh, &lengths, source)).collect();
+                (lengths, paths)
+            }
+        };
+        let places = pins.at(time)?;
+        keep_worse(&mut worst_edge, worst_pinned_edge(mesh, &lengths, &places, time));
+        for (source, path) in sources.iter().zip(&paths) {
+            keep_worse(&mut worst_path, farthest_beyond(*source, path, &places, time));
+        }
+        known = Some((lengths, paths));
+    }
+    // An edge that is too short for its pins is a path, too.
+    let edge_says_so = |path: &Contradiction| {
+        worst_edge.as_ref().is_some_and(|edge| edge.ratio >= path.ratio * (1.0 - PINNED_LENGTH_TOLERANCE))
+    };
+    worst_path = worst_path.filter(|path| !edge_says_so(path));
+    Ok(worst_edge.into_iter().chain(worst_path).map(|worst| worst.sentence(mesh)).collect())
 }
 
 fn keep_worse(worst: &mut Option<Contradiction>, found: Option<Contradiction>) {
     let size = |contradiction: &Contradiction| libm::log(contradiction.ratio).abs();
-    if let Some(found) = found.filter(|found| size(found) > TOLERANCE)
+    if let Some(found) = found.filter(|found| size(found) > PINNED_LENGTH_TOLERANCE)
         && worst.as_ref().is_none_or(|worst| size(&found) > size(worst))
     {
         *worst = Some(found);

@@ -1,10 +1,9 @@
 //! What is asked of the surface over time: its metric, its target bending angles, the places of its pins.
 
-use super::EvolveError;
+use super::error::EvolveError;
 use crate::immersion::{BendingError, PinError, Pins, TargetBending};
 use crate::mesh::{Component, Mesh, VertexId};
-use crate::metric::{Metric, MetricAt, MetricError, MetricProgram};
-use crate::scene::AtKey;
+use crate::metric::{Metric, MetricAt, MetricPart, MetricProgram, NoMetric};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -12,9 +11,9 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub(super) struct Course {
     mesh: Arc<Mesh>,
-    pub program: MetricProgram,
+    program: MetricProgram,
     bending: Option<TargetBending>,
-    pub pins: Pins,
+    pins: Pins,
     /// What was asked for last, which several components ask for one after another.
     last: Asked,
 }
@@ -28,16 +27,30 @@ pub(super) struct Asked {
 }
 
 impl Course {
-    /// With the metric of one time, which the caller has asked the program for.
+    /// Of a film that begins at a time.
     pub fn new(
         mesh: Arc<Mesh>,
-        program: MetricProgram,
+        mut program: MetricProgram,
         bending: Option<TargetBending>,
         pins: Pins,
-        (time, metric, curvature_error): (f64, Arc<Metric>, Option<f64>),
-    ) -> Course {
-        let last = Asked { time, metric, curvature_error };
-        Course { mesh, program, bending, pins, last }
+        time: f64,
+    ) -> Result<Course, NoMetric> {
+        let last = Asked::of(&mut program, &mesh, time)?;
+        Ok(Course { mesh, program, bending, pins, last })
+    }
+
+    /// The metric that was asked for last, at first that of the first frame, and how far a flow is from its target.
+    pub fn last(&self) -> (Arc<Metric>, Option<f64>) {
+        (self.last.metric.clone(), self.last.curvature_error)
+    }
+
+    /// The metric as a function of time.
+    pub fn program(&self) -> &MetricProgram {
+        &self.program
+    }
+
+    pub fn pins(&self) -> &Pins {
+        &self.pins
     }
 
     /// Whether anything depends on time.
@@ -53,9 +66,7 @@ impl Course {
     /// The metric of the whole surface.
     pub fn metric(&mut self, time: f64) -> Result<&Asked, EvolveError> {
         if self.last.time != time {
-            let MetricAt { metric, curvature_error } =
-                self.program.at(&self.mesh, time).map_err(|error| EvolveError::Metric { time, error })?;
-            self.last = Asked { time, metric: Arc::new(metric), curvature_error };
+            self.last = Asked::of(&mut self.program, &self.mesh, time)?;
         }
         Ok(&self.last)
     }
@@ -63,12 +74,11 @@ impl Course {
     /// The metric of a component.
     pub fn metric_of(&mut self, component: &Component, time: f64) -> Result<Arc<Metric>, EvolveError> {
         let whole = self.metric(time)?.metric.clone();
-        metric_of(component, &whole)
-            .map_err(|error| EvolveError::Metric { time, error: AtKey { key: "metric".to_owned(), error } })
+        Ok(metric_of(component, &whole, time)?)
     }
 
     /// The target bending angles of a component in radians, one per edge; `None` for a shell that is flat at rest.
-    pub fn angles_of(&self, component: &Component, time: f64) -> Result<Option<Vec<f64>>, AtKey<BendingError>> {
+    pub fn angles_of(&self, component: &Component, time: f64) -> Result<Option<Vec<f64>>, BendingError> {
         let angles = self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         Ok(angles.map(|angles| component.edges.pick(&angles)))
     }
@@ -79,7 +89,7 @@ impl Course {
     }
 
     /// The pinned vertices of a component, numbered as in it, with their places.
-    pub fn pins_of(&self, component: &Component, time: f64) -> Result<Vec<(VertexId, DVec3)>, AtKey<PinError>> {
+    pub fn pins_of(&self, component: &Component, time: f64) -> Result<Vec<(VertexId, DVec3)>, PinError> {
         let here = |(v, place): (VertexId, DVec3)| Some((VertexId::new(component.vertices.here(v.index())?), place));
         Ok(self.pins.at(time)?.into_iter().filter_map(here).collect())
     }
@@ -95,10 +105,21 @@ impl Course {
     }
 }
 
-/// The metric of a component of a surface with this one, shared where it is all of it.
-pub(super) fn metric_of(component: &Component, whole: &Arc<Metric>) -> Result<Arc<Metric>, MetricError> {
+impl Asked {
+    fn of(program: &mut MetricProgram, mesh: &Mesh, time: f64) -> Result<Asked, NoMetric> {
+        let MetricAt { metric, curvature_error } = program.at(mesh, time)?;
+        Ok(Asked { time, metric: Arc::new(metric), curvature_error })
+    }
+}
+
+/// The metric of a component of a surface with this one at a time, shared where it is all of it.
+pub(super) fn metric_of(component: &Component, whole: &Arc<Metric>, time: f64) -> Result<Arc<Metric>, NoMetric> {
     if component.mesh.edge_count() == whole.edge_lengths().len() {
         return Ok(whole.clone());
     }
-    Metric::new(&component.mesh, component.edges.pick(whole.edge_lengths())).map(Arc::new)
+    Metric::new(&component.mesh, component.edges.pick(whole.edge_lengths())).map(Arc::new).map_err(|error| NoMetric {
+        time,
+        part: MetricPart::Lengths,
+        error,
+    })
 }

@@ -1,82 +1,95 @@
-//! Why a simulation cannot start or ends early.
+//! Why a simulation cannot start, go on after a frame, or ends early.
 
-use super::PhaseError;
+use super::frame::UnfitFrame;
+use crate::advice::Advice;
 use crate::algebra::CholeskyError;
-use crate::immersion::{BendingError, PinError, StartError};
-use crate::mesh::MeshError;
-use crate::metric::MetricError;
-use crate::scene::{AtKey, ClockSection};
-use crate::spin::SpinError;
-use crate::timeline::TimelineError;
+use crate::immersion::{BendingError, PinError};
+use crate::metric::NoMetric;
+use crate::spin::{Class, SpinError};
 
-/// Why a scene does not describe a simulation.
+/// What to do about a Poisson problem that cannot be factorized.
+const EVEN_OUT: &str = "even out the edge lengths, the weights differ by too many orders of magnitude";
+
+/// Why a program does not fit a surface.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SetupError {
-    /// The surface.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// A parameter.
+    /// There is no metric at the time of the first frame.
     #[error("{}", .0.error)]
-    Parameter(#[from] AtKey<TimelineError>),
-    /// Its lengths.
-    #[error("{}", .0.error)]
-    Metric(#[from] AtKey<MetricError>),
+    Metric(#[from] NoMetric),
     /// Its class.
     #[error(transparent)]
     Spin(#[from] SpinError),
     /// Its pins.
-    #[error("{}", .0.error)]
-    Pin(#[from] AtKey<PinError>),
-    /// What it starts from.
-    #[error("{}", .0.error)]
-    Start(#[from] AtKey<StartError>),
+    #[error(transparent)]
+    Pin(#[from] PinError),
     /// Its target bending angles.
-    #[error("{}", .0.error)]
-    Bending(#[from] AtKey<BendingError>),
-    /// Its phases.
-    #[error("{}", .0.error)]
-    Phase(#[from] AtKey<PhaseError>),
-    /// `class = "all"` with too many frames.
-    #[error(
-        "there are {frames} frames for the classes of {betti} generators, one each; lower `frames` to 2 to the power \
-         of {betti}"
-    )]
-    MoreFramesThanClasses {
-        /// What the clock says.
-        frames: usize,
-        /// Number of generators.
-        betti: usize,
-    },
-    /// `class = "all"` with more classes than there can be frames.
-    #[error(
-        "there are 2 to the power of {betti} classes, and a film has at most {most} frames; write `frames` under [clock] \
-         for the first so many of them",
-        most = ClockSection::MOST_FRAMES
-    )]
-    TooManyClasses {
-        /// Number of generators.
-        betti: usize,
+    #[error(transparent)]
+    Bending(#[from] BendingError),
+    /// The shape that frames start from is not one of the mesh.
+    #[error("the frames are to start from {found} positions, but the mesh has {vertices} vertices; {}", self.remedy())]
+    StartCount {
+        /// Number of positions.
+        found: usize,
+        /// Number of vertices.
+        vertices: usize,
     },
     /// The Poisson problem.
-    #[error("{0}; even out the edge lengths, the weights differ by too many orders of magnitude")]
+    #[error("{}; {}", .0, self.remedy())]
     Poisson(#[from] CholeskyError),
 }
 
-impl SetupError {
-    /// The key of the scene file that is at fault.
-    pub fn key(&self) -> &str {
+impl Advice for SetupError {
+    fn remedy(&self) -> String {
         match self {
-            SetupError::Mesh(error) if error.is_of_file() => "mesh.file",
-            SetupError::Mesh(_) => "mesh",
-            SetupError::Poisson(_) => "metric",
-            SetupError::MoreFramesThanClasses { .. } => "clock.frames",
-            SetupError::Spin(_) | SetupError::TooManyClasses { .. } => "spin.class",
-            SetupError::Parameter(at) => &at.key,
-            SetupError::Metric(at) => &at.key,
-            SetupError::Pin(at) => &at.key,
-            SetupError::Start(at) => &at.key,
-            SetupError::Bending(at) => &at.key,
-            SetupError::Phase(at) => &at.key,
+            SetupError::Metric(error) => error.remedy(),
+            SetupError::Spin(error) => error.remedy(),
+            SetupError::Pin(error) => error.remedy(),
+            SetupError::Bending(error) => error.remedy(),
+            SetupError::StartCount { .. } => "give one position per vertex".into(),
+            SetupError::Poisson(_) => EVEN_OUT.into(),
+        }
+    }
+}
+
+/// Why a simulation cannot go on after a frame.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ResumeError {
+    /// Its arrays are not those of the mesh.
+    #[error(transparent)]
+    Unfit(#[from] UnfitFrame),
+    /// It has another number or time than the frames of the film.
+    #[error("the film of {frames} frames has no frame {frame} at time {time}; {}", self.remedy())]
+    NoSuchFrame {
+        /// Its number.
+        frame: usize,
+        /// Number of frames of the film.
+        frames: usize,
+        /// Its time.
+        time: f64,
+    },
+    /// It is of a surface of other components.
+    #[error("it says how far {found} components are, and the surface has {components}; {}", self.remedy())]
+    Components {
+        /// Of the frame.
+        found: usize,
+        /// Of the surface.
+        components: usize,
+    },
+    /// Its lengths are no metric.
+    #[error(transparent)]
+    Metric(#[from] NoMetric),
+    /// It is in another class, or what follows from it cannot be computed.
+    #[error(transparent)]
+    State(#[from] EvolveError),
+}
+
+impl Advice for ResumeError {
+    fn remedy(&self) -> String {
+        match self {
+            ResumeError::Unfit(error) => error.remedy(),
+            ResumeError::NoSuchFrame { .. } | ResumeError::Components { .. } => "take a frame of this film".into(),
+            ResumeError::Metric(error) => error.remedy(),
+            ResumeError::State(error) => error.remedy(),
         }
     }
 }
@@ -85,13 +98,13 @@ impl SetupError {
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EvolveError {
     /// The observer said so.
-    #[error("stopped after {steps} steps; run again to resume at the last finished frame")]
+    #[error("stopped after {steps} steps; {}", self.remedy())]
     Stopped {
         /// Steps taken.
         steps: usize,
     },
     /// Frames became NaN.
-    #[error("frames are no longer finite after {steps} steps of phase {phase}; lower `dt` of that phase")]
+    #[error("frames are no longer finite after {steps} steps of phase {phase}; {}", self.remedy())]
     Diverged {
         /// Steps taken.
         steps: usize,
@@ -101,22 +114,17 @@ pub enum EvolveError {
     /// The class to begin.
     #[error(transparent)]
     Spin(#[from] SpinError),
-    /// The scene gives no metric.
-    #[error("at time {time}: {}", error.error)]
-    Metric {
-        /// When.
-        time: f64,
-        /// Why, and which key of the scene says so.
-        error: AtKey<MetricError>,
-    },
-    /// The scene gives no places for its pins.
-    #[error("{}", .0.error)]
-    Pin(#[from] AtKey<PinError>),
-    /// The scene gives no target bending angles.
-    #[error("{}", .0.error)]
-    Bending(#[from] AtKey<BendingError>),
+    /// There is no metric.
+    #[error(transparent)]
+    Metric(#[from] NoMetric),
+    /// There are no places for the pins.
+    #[error(transparent)]
+    Pin(#[from] PinError),
+    /// There are no target bending angles.
+    #[error(transparent)]
+    Bending(#[from] BendingError),
     /// The Poisson problem.
-    #[error("at time {time}: {error}; even out the edge lengths, the weights differ by too many orders of magnitude")]
+    #[error("at time {time}: {error}; {}", self.remedy())]
     Poisson {
         /// When.
         time: f64,
@@ -124,39 +132,37 @@ pub enum EvolveError {
         error: CholeskyError,
     },
     /// A vertex star became figure-8.
-    #[error(
-        "at time {time} rounding has changed the spin structure at vertex {vertex}; lower `max_strain` under [clock], \
-         or use better triangles there"
-    )]
+    #[error("at time {time} rounding has changed the spin structure at vertex {vertex}; {}", self.remedy())]
     StarChanged {
         /// When.
         time: f64,
-        /// Where.
+        /// Its number in the mesh file.
         vertex: usize,
     },
     /// The class is another.
-    #[error(
-        "at time {time} rounding has changed the class from {before} to {after}; lower `max_strain` under [clock], or \
-         use better triangles"
-    )]
+    #[error("at time {time} rounding has changed the class from {before} to {after}; {}", self.remedy())]
     ClassChanged {
         /// When.
         time: f64,
-        /// q on every generator,
-        before: String,
-        /// and now.
-        after: String,
+        /// The class of the film.
+        before: Class,
+        /// That of the frame.
+        after: Class,
     },
 }
 
-impl EvolveError {
-    /// The key of the scene file that is at fault, if any is.
-    pub fn key(&self) -> Option<&str> {
+impl Advice for EvolveError {
+    fn remedy(&self) -> String {
         match self {
-            EvolveError::Metric { error, .. } => Some(&error.key),
-            EvolveError::Pin(error) => Some(&error.key),
-            EvolveError::Bending(error) => Some(&error.key),
-            _ => None,
+            EvolveError::Stopped { .. } => "run again to resume at the last finished frame".into(),
+            EvolveError::Diverged { .. } => "lower `dt` of that phase".into(),
+            EvolveError::Spin(error) => error.remedy(),
+            EvolveError::Metric(error) => error.remedy(),
+            EvolveError::Pin(error) => error.remedy(),
+            EvolveError::Bending(error) => error.remedy(),
+            EvolveError::Poisson { .. } => EVEN_OUT.into(),
+            EvolveError::StarChanged { .. } => "lower `max_strain` of the clock, or use better triangles there".into(),
+            EvolveError::ClassChanged { .. } => "lower `max_strain` of the clock, or use better triangles".into(),
         }
     }
 }

@@ -1,30 +1,25 @@
-//! The simulation: from frame to frame, phases, THE step, stopping, and the report per frame.
+//! The simulation: what is asked for, the state, the relaxation, where it lies in space, and the report per frame.
 
-mod acceleration;
-mod classes;
 mod contradictions;
 mod course;
 mod discretization;
 mod error;
 mod follow;
-mod orientation;
+mod frame;
 mod pace;
-mod phase;
 mod placement;
-mod places;
+mod program;
 mod progress;
-mod realize;
 mod relax;
-mod relaxation;
 mod report;
 mod simulation;
-mod smoothness;
+mod state;
 
-pub use classes::clock_of;
-pub use error::{EvolveError, SetupError};
-pub use pace::{Pace, Settling};
-pub use phase::{Phase, PhaseError, default_phases, phase_sections, phases_from_scene};
+pub use error::{EvolveError, ResumeError, SetupError};
+pub use frame::{Frame, UnfitFrame};
+pub use pace::{Pace, PaceError, Settling};
+pub use program::{AskedClass, Orientation, Program, Start};
 pub use progress::{Observer, Progress, Unobserved};
-pub use relax::MAX_RESTARTS;
-pub use report::{BendingError, ComponentReport, Cursor, FrameReport, NO_CLASS, Places};
-pub use simulation::{Checkpoint, Frame, Simulation};
+pub use relax::{Cursor, Phase, PhaseError, Schedule, TimeStep};
+pub use report::{BendingError, ComponentReport, FrameReport, NO_CLASS, Places};
+pub use simulation::Simulation;

@@ -1,7 +1,7 @@
 //! How a film passes from frame to frame.
 
-use super::Phase;
-use crate::scene::{ClockSection, PhaseSection, SpinSection};
+use super::relax::Phase;
+use crate::advice::Advice;
 
 /// What happens between two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,40 +14,71 @@ pub enum Pace {
     Settle(Settling),
 }
 
+impl Default for Pace {
+    fn default() -> Pace {
+        Pace::Settle(Settling::default())
+    }
+}
+
 /// When a frame that follows a change has settled.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
-    /// Mean turn of the frames per step in radians below which it has.
-    pub tolerance_radians: f64,
-    /// It has to after this many steps.
-    pub max_steps: usize,
-    /// No edge changes its length by more than this share at once.
-    pub max_strain: f64,
+    tolerance_radians: f64,
+    max_steps: usize,
+    max_strain: f64,
 }
 
-impl Pace {
-    /// From the `[clock]` of a scene; `changes` is whether anything in the scene changes with time.
-    pub fn from_scene(clock: &ClockSection, spin: &SpinSection, changes: bool) -> Pace {
-        match clock.steps_per_frame {
-            _ if *spin == SpinSection::All => Pace::EachClass,
-            Some(steps) if clock.frames > 1 => Pace::Steps(steps),
-            None if clock.frames > 1 && !changes => Pace::Steps(STEPS_PER_FRAME),
-            _ => Pace::Settle(Settling {
-                tolerance_radians: clock.tolerance.to_radians(),
-                max_steps: clock.max_steps,
-                max_strain: clock.max_strain,
-            }),
-        }
+/// Why frames could not settle.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("`{name}` is {value}; {}", self.remedy())]
+pub struct PaceError {
+    /// Which number.
+    pub name: &'static str,
+    /// What it is.
+    pub value: f64,
+}
+
+impl Advice for PaceError {
+    fn remedy(&self) -> String {
+        "give a number above 0".into()
     }
 }
 
 impl Settling {
+    /// A frame has settled when its face frames turn by less than `tolerance_radians` per step on average, or after
+    /// `max_steps`. No edge changes its length by more than the share `max_strain` at once; where a frame brings more, it
+    /// is reached in several parts.
+    ///
+    /// # Errors
+    /// [`PaceError`] unless all three are above 0.
+    pub fn new(tolerance_radians: f64, max_steps: usize, max_strain: f64) -> Result<Settling, PaceError> {
+        let numbers = [("tolerance", tolerance_radians), ("max_steps", max_steps as f64), ("max_strain", max_strain)];
+        match numbers.into_iter().find(|(_, value)| value.is_nan() || *value <= 0.0) {
+            Some((name, value)) => Err(PaceError { name, value }),
+            None => Ok(Settling { tolerance_radians, max_steps, max_strain }),
+        }
+    }
+
+    /// The largest number of steps of a frame.
+    pub fn max_steps(&self) -> usize {
+        self.max_steps
+    }
+
+    /// The largest share by which a length changes at once.
+    pub fn max_strain(&self) -> f64 {
+        self.max_strain
+    }
+
     /// The last phase of a relaxation, until the frame has settled.
     pub(super) fn phase(&self, phases: &[Phase]) -> Phase {
-        let last = phases.last().copied().unwrap_or_else(|| Phase::from_scene(&PhaseSection::default()));
+        let last = phases.last().copied().unwrap_or_default();
         Phase { tolerance_radians: self.tolerance_radians, max_steps: self.max_steps, untangle_steps: 0, ..last }
     }
 }
 
-/// Of a film of the relaxation whose scene does not say.
-const STEPS_PER_FRAME: usize = 2;
+impl Default for Settling {
+    /// 0.005 degrees, 100 steps, 5 percent.
+    fn default() -> Settling {
+        Settling { tolerance_radians: 0.005_f64.to_radians(), max_steps: 100, max_strain: 0.05 }
+    }
+}

@@ -7,19 +7,19 @@ use std::ops::ControlFlow;
 pub struct Progress {
     /// The frame that is being made, from 1.
     pub frame: usize,
-    /// The component that is being relaxed, from 0, of `components`.
+    /// The component that is being relaxed, from 0.
     pub component: usize,
     /// Number of components.
     pub components: usize,
-    /// Phase, from 0, of `phases`.
+    /// The phase, from 0; the number of phases where a film follows its metric.
     pub phase: usize,
     /// Number of phases.
     pub phases: usize,
     /// How often frames were drawn anew because rims would not resolve.
     pub restarts: usize,
-    /// Steps taken in this phase and the most it may take.
+    /// Steps taken in this phase.
     pub step: usize,
-    /// See `step`.
+    /// The most steps that it may take.
     pub max_steps: usize,
     /// Mean turn of the frames in the last step, in degrees.
     pub turn: f64,
@@ -33,10 +33,17 @@ pub struct Progress {
     pub inner_iterations: usize,
 }
 
-/// Told of every step; may stop the simulation.
+/// Told of every step; may stop the simulation. Closures that take a [`Progress`] and return a [`ControlFlow`] are
+/// observers.
 pub trait Observer {
     /// Called after every step. `Break` ends the simulation with [`super::EvolveError::Stopped`].
     fn after_step(&mut self, progress: &Progress) -> ControlFlow<()>;
+}
+
+impl<F: FnMut(&Progress) -> ControlFlow<()>> Observer for F {
+    fn after_step(&mut self, progress: &Progress) -> ControlFlow<()> {
+        self(progress)
+    }
 }
 
 /// Watches nothing.

@@ -1,185 +1,128 @@
 //! Algorithm 2 in time: a surface whose metric changes, frame by frame.
 
-use super::classes::{clock_of, digit};
-use super::course::{Course, metric_of};
-use super::relaxation::{Beginning, Relaxation};
-use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
+use super::contradictions::contradictions;
+use super::course::Course;
+use super::error::{EvolveError, ResumeError, SetupError};
+use super::frame::{Frame, check_face_frames};
+use super::pace::Pace;
+use super::placement::{middle, next_in_row};
+use super::program::{AskedClass, Program};
+use super::progress::Observer;
+use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
+use super::report::{compare, measure};
 use crate::algebra::Complex;
-use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene, spin_of_immersion};
-use crate::mesh::{self, Component, EdgeId, Mesh, Surface, VertexId};
-use crate::metric::{Metric, MetricAt, MetricProgram};
-use crate::scene::{AtKey, Scene, StartFrom, StartSection};
-use crate::spin::{Homology, SpinError, SpinStructure};
-use crate::timeline::{Clock, Parameters};
+use crate::immersion::spin_of_immersion;
+use crate::mesh::{Component, Mesh, Surface};
+use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
+use crate::spin::{Class, Homology, SpinError, SpinStructure};
+use crate::timeline::Clock;
 use glam::{DQuat, DVec3};
 use std::sync::Arc;
+use std::time::Instant;
 
-/// A thin shell whose metric, bending and pins follow a scene, and its state: one unit quaternion per face.
+/// A thin shell whose metric, bending and pins follow a program, and its state: one unit quaternion per face.
+///
+/// ```
+/// # use immerse::{mesh::shapes, metric::{Lengths, MetricProgram}, evolve::{Program, Simulation, Unobserved}};
+/// let surface = shapes::sphere(1.0, 4)?;
+/// let program = Program::of(MetricProgram::of(Lengths::of_surface(&surface)?));
+/// let mut simulation = Simulation::new(surface, program)?;
+/// let frame = simulation.next_frame(&mut Unobserved)?;
+/// assert!(frame.report.l2_length_error < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Simulation {
-    /// Connectivity.
-    pub mesh: Arc<Mesh>,
-    /// What had to be repaired in the mesh, and what else is worth saying of the scene, in words.
-    pub repairs: Vec<String>,
-    /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
-    pub mesh_places: Option<Vec<DVec3>>,
-    /// Edge lengths and what they determine, at the time of the last frame.
-    pub metric: Arc<Metric>,
-    /// Generators of the homology.
-    pub homology: Arc<Homology>,
-    /// Positions that frames start from, |V|, if they do.
-    shape: Option<Vec<DVec3>>,
+    mesh: Arc<Mesh>,
     /// Positions of the mesh, |V|, if it has any.
-    pub(super) mesh_positions: Option<Vec<DVec3>>,
+    mesh_positions: Option<Vec<DVec3>>,
+    /// Positions that frames start from, |V|, if they do.
+    start_positions: Option<Vec<DVec3>>,
+    homology: Arc<Homology>,
+    course: Course,
+    clock: Clock,
+    pace: Pace,
     /// The components, each relaxed on its own.
-    pub(super) components: Vec<Relaxation>,
-    pub(super) course: Course,
-    pub(super) clock: Clock,
-    pub(super) pace: Pace,
+    components: Vec<Relaxation>,
     /// The last frame that was made; 0 before the first.
-    pub(super) frame: usize,
-    pub(super) time: f64,
-    pub(super) curvature_error: Option<f64>,
-    /// Of the last frame.
-    pub(super) previous: Option<Previous>,
-}
-
-/// What the next frame is compared with.
-#[derive(Debug)]
-pub(super) struct Previous {
-    pub positions: Vec<DVec3>,
-    pub rims: Vec<EdgeId>,
-    pub edge_lengths: Vec<f64>,
-}
-
-/// A relaxed surface.
-#[derive(Clone, Debug)]
-pub struct Frame {
-    /// Vertex positions, |V|.
-    pub positions: Vec<DVec3>,
-    /// Edges with rim bit 1.
-    pub rims: Vec<EdgeId>,
-    /// Interior vertices with figure-8 star.
-    pub pinch_points: Vec<VertexId>,
-    /// Measures.
-    pub report: FrameReport,
-}
-
-/// What must be kept of a frame to go on after it.
-#[derive(Clone, Debug)]
-pub struct Checkpoint {
-    /// The frame, from 1.
-    pub frame: usize,
-    /// Unit quaternions, |F|.
-    pub frames: Vec<DQuat>,
-    /// The spin connection and
-    pub spin: SpinStructure,
-    /// the lengths it belongs to, |E|.
-    pub edge_lengths: Vec<f64>,
-    /// |V|
-    pub positions: Vec<DVec3>,
-    /// Edges with rim bit 1.
-    pub rims: Vec<EdgeId>,
-    /// How far the relaxation of each component was.
-    pub cursors: Vec<Cursor>,
+    frame: usize,
+    /// Edge lengths and what they determine, at the time of the last frame.
+    metric: Arc<Metric>,
+    curvature_error: Option<f64>,
+    /// The last frame, which the next one is compared with.
+    previous: Option<Arc<Frame>>,
 }
 
 impl Simulation {
     /// Lines 1 to 6 of Algorithm 2.
     ///
     /// # Errors
-    /// [`SetupError`] saying which part of the scene is at fault.
-    pub fn from_scene(scene: &Scene) -> Result<Simulation, SetupError> {
-        Simulation::new(scene, mesh::of_scene(scene)?)
-    }
-
-    /// As [`Simulation::from_scene`], with a surface from memory in place of the scene's `[mesh]`.
-    ///
-    /// # Errors
-    /// [`SetupError`] saying which part of the scene does not fit the surface.
-    pub fn new(scene: &Scene, surface: Surface) -> Result<Simulation, SetupError> {
-        let parameters = Parameters::from_scene(&scene.parameters)
-            .map_err(|(name, error)| AtKey { key: format!("parameters.{name}"), error })?;
-        let section = clock_of(scene, &surface.mesh)?;
-        let clock = Clock::from_scene(&section);
-        let time = clock.time(1);
-        let mut program = MetricProgram::from_scene(&scene.metric, &scene.folder, &surface, &parameters)?;
-        let now = program.at(&surface.mesh, time)?;
-        let shape = initial_positions(&scene.start, &scene.folder, &surface, &parameters, time)?;
-        let bending = match &scene.bending {
-            None => None,
-            Some(section) => {
-                Some(TargetBending::from_scene(section, &scene.folder, &surface, shape.as_deref(), &parameters)?)
-            }
-        };
-        let pins = Pins::from_scene(&scene.pins, &surface, &parameters, time)?;
-        let mesh_places = surface.places().map(<[DVec3]>::to_vec);
-        let Surface { mesh, positions: mesh_positions, mut repairs, .. } = surface;
-        repairs.extend(program.notes());
+    /// [`SetupError`] saying which part of the program does not fit the surface.
+    pub fn new(surface: Surface, program: Program) -> Result<Simulation, SetupError> {
+        let Surface { mesh, positions: mesh_positions, .. } = surface;
+        let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
         let mesh = Arc::new(mesh);
-        let MetricAt { metric, curvature_error } = now;
-        let metric = Arc::new(metric);
+        let time = clock.time(1);
+        let course = Course::new(mesh.clone(), metric, bending, pins, time)?;
+        let (metric, curvature_error) = course.last();
         let homology = Arc::new(Homology::new(&mesh, &metric));
-        let spin = spin_from_scene(&scene.spin, &mesh, &metric, &homology, mesh_positions.as_deref())?;
-        let course = Course::new(mesh.clone(), program, bending, pins, (time, metric.clone(), curvature_error));
+        let spin = spin_of_class(&class, &mesh, &metric, &homology, mesh_positions.as_deref())?;
+        if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
+            return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
+        }
         let beginning = Beginning {
-            spin: &spin,
+            course: &course,
+            time,
             metric: &metric,
             homology: &homology,
+            spin: &spin,
             positions: mesh_positions.as_deref(),
-            shape: shape.as_deref(),
-            start: &scene.start.from,
-            orientation: scene.start.orientation,
-            is_smooth: starts_smooth(scene),
-            accuracy: section.accuracy,
-            time,
+            start: &start,
+            schedule: &program.schedule,
+            accuracy: program.accuracy,
+            orientation: program.orientation,
+            is_smooth: program.is_smooth,
         };
-        let phases = |faces| Ok(phases_from_scene(scene, faces)?);
         let components = Component::all_of(&mesh);
         let of = components.len();
-        let components = components
-            .into_iter()
-            .enumerate()
-            .map(|(k, component)| Relaxation::new(component, [k, of], &beginning, &course, phases))
-            .collect::<Result<_, _>>()?;
+        let relaxation = |(number, component)| Relaxation::new(component, Among { number, of }, &beginning);
+        let components = components.into_iter().enumerate().map(relaxation).collect::<Result<_, _>>()?;
         Ok(Simulation {
             mesh,
-            repairs,
-            mesh_places,
-            metric,
-            homology,
-            shape,
             mesh_positions,
-            components,
-            clock,
-            pace: Pace::from_scene(&section, &scene.spin, course.changes()),
+            start_positions: start.positions().map(<[DVec3]>::to_vec),
+            homology,
             course,
+            clock,
+            pace,
+            components,
             frame: 0,
-            time,
+            metric,
             curvature_error,
             previous: None,
         })
     }
 
-    /// Makes the next frame of the film. The first one of a scene that changes with time, or does not and has but one
+    /// Makes the next frame of the film. The first one of a film that changes with time, or does not and has but one
     /// frame, goes through all phases; the others follow the metric.
     ///
     /// # Errors
-    /// [`EvolveError`] if the observer stops it, frames are no longer finite, or the scene gives no metric or no place
+    /// [`EvolveError`] if the observer stops it, frames are no longer finite, or the program gives no metric or no place
     /// for its pins at the time of the frame.
-    pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
-        let time = self.clock.time(self.frame + 1);
+    pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
+        let begin = Instant::now();
         let (pace, made, clock) = (self.pace, self.frame, self.clock);
+        let time = clock.time(made + 1);
         if let Pace::EachClass = pace {
             self.begin_class(made, time)?;
         }
         let Simulation { components, course, .. } = self;
         for relaxation in components {
-            relaxation.frame = made + 1;
+            relaxation.begin_frame(made + 1);
             match (pace, made) {
-                (Pace::EachClass, _) => relaxation.run_all_phases(observer)?,
+                (Pace::EachClass, _) => relaxation.relax(observer)?,
                 (Pace::Settle(settling), 0) => {
-                    relaxation.run_all_phases(observer)?;
+                    relaxation.relax(observer)?;
                     relaxation.take_out_dents(&settling, observer)?;
                     if clock.is_looping() {
                         relaxation.run_a_lap(course, &clock, &settling, observer)?;
@@ -189,93 +132,66 @@ impl Simulation {
                 // The first frame of a film of the relaxation is where it starts.
                 (Pace::Steps(_), 0) => {}
                 (Pace::Steps(steps), _) => {
-                    relaxation.move_to(course, time)?;
+                    relaxation.state_mut().move_to(course, time)?;
                     if course.changes() {
                         relaxation.stay_in_last_phase();
                     }
-                    relaxation.run_steps(steps, observer)?;
+                    relaxation.advance(steps, observer)?;
                 }
             }
-            relaxation.verify_class()?;
+            relaxation.state().verify_class()?;
         }
         self.frame += 1;
         self.take_metric(time)?;
-        Ok(self.frame_now())
+        Ok(self.frame_since(begin))
     }
 
-    /// Relaxes the frames at the present time, by some steps or through all phases, and realizes the surface.
+    /// Relaxes the frames at the present time through all phases that are left, and integrates the surface.
     ///
     /// # Errors
     /// [`EvolveError`] if the observer stops it or frames are no longer finite.
-    pub fn relax(&mut self, steps: Option<usize>, observer: &mut dyn Observer) -> Result<Frame, EvolveError> {
-        for relaxation in &mut self.components {
-            match steps {
-                None => relaxation.run_all_phases(observer)?,
-                Some(steps) => relaxation.run_steps(steps, observer)?,
-            }
-        }
-        Ok(self.frame_now())
+    pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
+        let begin = Instant::now();
+        self.components.iter_mut().try_for_each(|relaxation| relaxation.relax(observer))?;
+        Ok(self.frame_since(begin))
     }
 
-    /// The class of the positions that frames start from, as q on every generator; `None` where they come from none. The
-    /// error is [`SpinError::NotAnImmersion`] where those are in no class.
-    pub fn class_of_start(&self) -> Option<Result<Vec<bool>, SpinError>> {
-        let Simulation { mesh, metric, homology, .. } = self;
-        let spin = spin_of_immersion(mesh, metric, self.shape.as_deref()?);
-        Some(spin.map(|spin| spin.class(mesh, metric, homology)))
-    }
-
-    /// Starts over in the class with this number, the last generator being its last binary digit.
-    fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
-        let betti = self.homology.betti();
-        let class: Vec<bool> = (0..betti).map(|k| digit(number, betti - 1 - k)).collect();
-        let mut rest = class.as_slice();
-        for relaxation in &mut self.components {
-            let own;
-            // Generators come component by component.
-            (own, rest) = rest.split_at(relaxation.homology.betti());
-            relaxation.move_to(&mut self.course, time)?;
-            relaxation.begin_class(&self.course, own.to_vec())?;
-        }
-        self.previous = None;
-        Ok(())
-    }
-
-    fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
-        let asked = self.course.metric(time)?;
-        (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
-        self.time = time;
-        Ok(())
-    }
-
-    fn frame_now(&mut self) -> Frame {
-        let positions = self.placed();
-        self.realize(positions)
-    }
-
-    /// Goes on after a frame of an earlier run of the same scene, to the same bits.
+    /// Takes so many steps of the relaxation at the present time, or fewer until all phases are done, and integrates the
+    /// surface.
     ///
     /// # Errors
-    /// [`EvolveError`] if the scene gives no metric at that time.
-    pub fn resume(&mut self, from: Checkpoint) -> Result<(), EvolveError> {
-        debug_assert_eq!(from.frames.len(), self.mesh.face_count());
-        self.frame = from.frame;
-        self.time = self.clock.time(from.frame);
-        let at_time = |time| move |error| EvolveError::Metric { time, error: AtKey { key: "metric".into(), error } };
-        self.metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(at_time(self.time))?);
-        for (relaxation, cursor) in self.components.iter_mut().zip(from.cursors) {
-            let component = &relaxation.component;
-            relaxation.metric = metric_of(component, &self.metric).map_err(at_time(self.time))?;
-            relaxation.spin = SpinStructure::from_transports(component.edges.pick(from.spin.transports()));
-            relaxation.face_frames = component.faces.pick(&from.frames);
-            (relaxation.cursor, relaxation.time, relaxation.frame) = (cursor, self.time, from.frame);
-            relaxation.discretize(&self.course)?;
+    /// As [`Simulation::relax`].
+    pub fn advance(&mut self, steps: usize, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
+        let begin = Instant::now();
+        self.components.iter_mut().try_for_each(|relaxation| relaxation.advance(steps, observer))?;
+        Ok(self.frame_since(begin))
+    }
+
+    /// Goes on after a frame of an earlier run of the same program, to the same bits.
+    ///
+    /// # Errors
+    /// [`ResumeError`] if the frame does not belong to this film.
+    pub fn resume(&mut self, from: Arc<Frame>) -> Result<(), ResumeError> {
+        from.fits(&self.mesh)?;
+        let (frame, time) = (from.report.frame, self.clock.time(from.report.frame));
+        if frame == 0 || frame > self.clock.frames() || from.report.time != time {
+            return Err(ResumeError::NoSuchFrame { frame, frames: self.clock.frames(), time: from.report.time });
         }
-        self.previous = Some(Previous { positions: from.positions, rims: from.rims, edge_lengths: from.edge_lengths });
+        let cursors = from.report.cursors();
+        if cursors.len() != self.components.len() {
+            return Err(ResumeError::Components { found: cursors.len(), components: self.components.len() });
+        }
+        let no_metric = |error| NoMetric { time, part: MetricPart::Lengths, error };
+        let metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(no_metric)?);
+        for (relaxation, cursor) in self.components.iter_mut().zip(cursors) {
+            relaxation.resume(&self.course, &from, &metric, cursor)?;
+            relaxation.state().verify_class()?;
+        }
+        (self.frame, self.metric, self.previous) = (frame, metric, Some(from));
         Ok(())
     }
 
-    /// Whether the scene gives a metric, bending angles and places for pins at the times of all frames, found without
+    /// Whether the program gives a metric, bending angles and places for pins at the times of all frames, found without
     /// simulating.
     ///
     /// # Errors
@@ -284,43 +200,189 @@ impl Simulation {
         self.clock.times().try_for_each(|time| self.course.check(time))
     }
 
+    /// Sentences about pins that no surface with the lengths of the metric can keep, at the time of any frame. Surfaces are
+    /// found all the same, but do not have all lengths.
+    ///
+    /// # Errors
+    /// [`EvolveError`] where there is no metric or no place for a pin.
+    pub fn pin_contradictions(&self) -> Result<Vec<String>, EvolveError> {
+        contradictions(&self.mesh, &self.course, &self.clock)
+    }
+
+    /// The class of the positions that frames start from; `None` where they come from none. The error is
+    /// [`SpinError::NotAnImmersion`] where those are in no class.
+    pub fn class_of_start(&self) -> Option<Result<Class, SpinError>> {
+        let Simulation { mesh, metric, homology, .. } = self;
+        let spin = spin_of_immersion(mesh, metric, self.start_positions.as_deref()?);
+        Some(spin.map(|spin| Class::new(spin.class(mesh, metric, homology))))
+    }
+
+    /// The class that is asked for, of all components together.
+    pub fn class(&self) -> Class {
+        Class::new(self.components.iter().flat_map(|part| part.state().class().digits()).copied().collect())
+    }
+
+    /// Connectivity.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.mesh
+    }
+
+    /// Edge lengths and what they determine, at the time of the last frame.
+    pub fn metric(&self) -> &Metric {
+        &self.metric
+    }
+
+    /// Generators of the homology of the whole surface.
+    pub fn homology(&self) -> &Homology {
+        &self.homology
+    }
+
+    /// Edge lengths as a function of time, and what was found of them so far.
+    pub fn metric_program(&self) -> &MetricProgram {
+        self.course.program()
+    }
+
+    /// The times of the frames.
+    pub fn clock(&self) -> &Clock {
+        &self.clock
+    }
+
     /// The state: unit quaternions, |F|.
     pub fn face_frames(&self) -> Vec<DQuat> {
         let mut whole = vec![DQuat::IDENTITY; self.mesh.face_count()];
-        self.components.iter().for_each(|part| part.component.faces.put(&part.face_frames, &mut whole));
+        self.components.iter().map(Relaxation::state).for_each(|state| {
+            state.component().faces.put(state.face_frames(), &mut whole);
+        });
         whole
     }
 
     /// Takes other frames for the state, |F|.
-    pub fn set_face_frames(&mut self, frames: &[DQuat]) {
-        self.components.iter_mut().for_each(|part| part.face_frames = part.component.faces.pick(frames));
+    ///
+    /// # Errors
+    /// [`ResumeError::Unfit`] unless there is one unit quaternion per face.
+    pub fn set_face_frames(&mut self, frames: &[DQuat]) -> Result<(), ResumeError> {
+        check_face_frames(frames, self.mesh.face_count())?;
+        for relaxation in &mut self.components {
+            let own = relaxation.state().component().faces.pick(frames);
+            relaxation.state_mut().set_face_frames(own);
+        }
+        Ok(())
     }
 
     /// The regular homotopy class, as signs of τ.
     pub fn spin(&self) -> SpinStructure {
         let mut whole = vec![Complex::ONE; self.mesh.edge_count()];
-        self.components.iter().for_each(|part| part.component.edges.put(part.spin.transports(), &mut whole));
-        SpinStructure::from_transports(whole)
+        self.components.iter().map(Relaxation::state).for_each(|state| {
+            state.component().edges.put(state.spin().transports(), &mut whole);
+        });
+        SpinStructure::of_known(whole)
     }
 
-    /// Stages of the relaxation of the first frame, of the first component.
+    /// The phases of the relaxation of the first frame, the same for every component.
     pub fn phases(&self) -> &[Phase] {
-        self.components.first().map_or(&[], |part| &part.phases)
+        self.components.first().map_or(&[], |part| part.phases())
     }
 
-    /// Changes the stages of every component.
-    pub fn change_phases(&mut self, change: impl Fn(&mut Vec<Phase>)) {
-        self.components.iter_mut().for_each(|part| change(&mut part.phases));
+    /// Changes the phases of every component.
+    ///
+    /// # Errors
+    /// [`PhaseError`] if they are not in order then; nothing is changed.
+    pub fn change_phases(&mut self, change: impl FnOnce(&mut Vec<Phase>)) -> Result<(), PhaseError> {
+        let mut phases = self.phases().to_vec();
+        change(&mut phases);
+        let schedule = Schedule::new(phases)?;
+        self.components.iter_mut().for_each(|part| part.set_phases(&schedule));
+        Ok(())
+    }
+
+    /// Starts over in the class with this number, the last generator being its last binary digit.
+    fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
+        let class = Class::of_number(number, self.homology.betti());
+        let mut rest = class.digits();
+        for relaxation in &mut self.components {
+            let own;
+            // Generators come component by component.
+            (own, rest) = rest.split_at(relaxation.state().betti());
+            relaxation.state_mut().move_to(&mut self.course, time)?;
+            relaxation.begin_class(&self.course, Class::new(own.to_vec()))?;
+        }
+        self.previous = None;
+        Ok(())
+    }
+
+    fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
+        let asked = self.course.metric(time)?;
+        (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
+        Ok(())
+    }
+
+    /// The frame as it is now; the work on it began at a time of the wall clock.
+    fn frame_since(&mut self, begin: Instant) -> Arc<Frame> {
+        let positions = self.placed();
+        let Simulation { mesh, metric, homology, components, .. } = self;
+        let (rims, mut report) = measure(mesh, metric, homology, components, &positions);
+        report.frame = self.frame;
+        report.time = self.clock.time(self.frame.max(1));
+        report.curvature_error = self.curvature_error;
+        report.on_the_way = matches!(self.pace, Pace::Steps(_))
+            && (self.course.changes() || self.components.iter().any(Relaxation::is_on_the_way));
+        let mut frame = Frame {
+            positions,
+            face_frames: self.face_frames(),
+            spin: self.spin(),
+            edge_lengths: self.metric.edge_lengths().to_vec(),
+            rims,
+            report,
+        };
+        if let Some(previous) = &self.previous {
+            compare(&self.mesh, previous, &mut frame);
+        }
+        frame.report.seconds = begin.elapsed().as_secs_f64();
+        let frame = Arc::new(frame);
+        self.previous = Some(frame.clone());
+        frame
+    }
+
+    /// The positions of the whole surface, |V|. Of several components those that are laid upon nothing stand where the
+    /// mesh has them, or else in a row.
+    fn placed(&mut self) -> Vec<DVec3> {
+        let mut whole = vec![DVec3::ZERO; self.mesh.vertex_count()];
+        let several = self.components.len() > 1;
+        let is_of_relaxation = matches!(self.pace, Pace::Steps(_));
+        let mut row = 0.0;
+        for relaxation in &mut self.components {
+            let vertices = &relaxation.state().component().vertices;
+            let previous = self.previous.as_ref().map(|previous| vertices.pick(&previous.positions));
+            let (mut positions, is_laid) = relaxation.placed(previous, self.clock.is_looping(), is_of_relaxation);
+            let vertices = &relaxation.state().component().vertices;
+            if several && !is_laid {
+                let shift = match &self.mesh_positions {
+                    Some(places) => middle(&vertices.pick(places)) - middle(&positions),
+                    None => next_in_row(&positions, &mut row),
+                };
+                positions.iter_mut().for_each(|p| *p += shift);
+            }
+            vertices.put(&positions, &mut whole);
+        }
+        whole
     }
 }
 
-/// Whether the scene asks for no folds: neither by a start that was made for them, nor by target bending angles, nor by
-/// phases of its own.
-fn starts_smooth(scene: &Scene) -> bool {
-    let StartSection { from, formula, noise, .. } = &scene.start;
-    matches!(from, StartFrom::Mesh | StartFrom::Random(_) | StartFrom::Spectral)
-        && formula.is_none()
-        && noise.is_none()
-        && scene.bending.is_none()
-        && scene.phases.is_empty()
+/// The spin structure in the class that is asked for; `positions` are those of the mesh, if it has any.
+fn spin_of_class(
+    class: &AskedClass,
+    mesh: &Mesh,
+    metric: &Metric,
+    homology: &Homology,
+    positions: Option<&[DVec3]>,
+) -> Result<SpinStructure, SpinError> {
+    let of = |class: &Class| SpinStructure::of_class(mesh, metric, homology, class.digits());
+    match (class, positions) {
+        (AskedClass::Of(class), _) => of(class),
+        // There is nothing to read where there is but one class.
+        (AskedClass::OfMesh, _) if homology.betti() == 0 => Ok(SpinStructure::new(mesh, metric, homology)),
+        (AskedClass::OfMesh, None) | (AskedClass::All, _) => of(&Class::zeros(homology.betti())),
+        (AskedClass::OfPositions, None) => Err(SpinError::NoPositions),
+        (AskedClass::OfMesh | AskedClass::OfPositions, Some(positions)) => spin_of_immersion(mesh, metric, positions),
+    }
 }

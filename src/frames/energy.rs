@@ -2,6 +2,7 @@
 
 use super::{Hinge, Shell};
 use crate::algebra::quaternion;
+use crate::tuning::CREASE_ANGLE;
 use glam::DQuat;
 use rayon::prelude::*;
 
@@ -59,13 +60,13 @@ pub fn hinge_energies(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> 
     shell.hinges.par_iter().with_min_len(256).map(of_hinge).collect()
 }
 
-/// How far a crease is beyond [`CREASE_ANGLE`], as a bending strain with sign; 0 if it is not.
+/// How far a crease is beyond [`crate::tuning::CREASE_ANGLE`], as a bending strain with sign; 0 if it is not.
 fn overfold(hinge: &Hinge, strain: &Strain) -> f64 {
     let bend = strain.along(axes(hinge)[1]);
     (bend.abs() - crease_strain()).max(0.0).copysign(bend)
 }
 
-/// ζ at [`CREASE_ANGLE`]: ζ = 2 sin(α/4) by Eq. 15.
+/// ζ at [`crate::tuning::CREASE_ANGLE`]: ζ = 2 sin(α/4) by Eq. 15.
 pub(super) fn crease_strain() -> f64 {
     2.0 * libm::sin(CREASE_ANGLE / 4.0)
 }
@@ -147,6 +148,3 @@ pub fn crease_gradient(shell: &Shell, crease: f64, frames: &[DQuat]) -> Gradient
     }
     sum
 }
-
-/// Bending angle in radians (155°) from which on a crease is held open.
-pub const CREASE_ANGLE: f64 = 155.0 / 180.0 * std::f64::consts::PI;

@@ -8,9 +8,7 @@ mod step;
 mod system;
 
 pub use connection_laplacian::ConnectionLaplacian;
-pub use energy::{
-    CREASE_ANGLE, Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains,
-};
+pub use energy::{Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains};
 pub use shell::{Hinge, Shell};
 pub use start::{random_frames, spectral_frames};
 pub use step::{Method, StepOptions, Stepper};

@@ -5,6 +5,7 @@ use super::{ConnectionLaplacian, Shell, Stiffness, gradient};
 use crate::algebra::{
     Block, BlockPattern, BlockVector, ConjugateGradient, IncompleteCholesky, SolveReport, quaternion,
 };
+use crate::tuning::{MAX_SOLVER_ITERATIONS, SINGLE_PRECISION_DT, SINGLE_PRECISION_TOLERANCE};
 use glam::{DMat4, DQuat, DVec4, Mat4};
 use rayon::prelude::*;
 
@@ -28,7 +29,7 @@ pub struct StepOptions {
     pub method: Method,
     /// ε of Eq. 20.
     pub stiffness: Stiffness,
-    /// Stiffness of creases sharper than [`super::CREASE_ANGLE`]; 0 lets them fold over.
+    /// Stiffness of creases sharper than [`crate::tuning::CREASE_ANGLE`]; 0 lets them fold over.
     pub crease: f64,
     /// Δt in units of the mean face area.
     pub dt: f64,
@@ -112,7 +113,7 @@ impl Stepper {
         let Self { pattern, single, double, solution, .. } = self;
         let newton = options.method == Method::Newton;
         let tolerance = options.solver_tolerance;
-        let is_single_enough = tolerance >= SINGLE_TOLERANCE && options.dt <= SINGLE_DT;
+        let is_single_enough = tolerance >= SINGLE_PRECISION_TOLERANCE && options.dt <= SINGLE_PRECISION_DT;
         let report = is_single_enough
             .then(|| single.solve(pattern, &state, newton, tolerance, solution))
             .filter(|report| report.residual <= tolerance)
@@ -159,7 +160,7 @@ impl<B: Block> Solver<B> {
             restrict_to_tangents(system, pattern, state);
         }
         factor.factorize(pattern, &system.matrix);
-        iteration.solve(pattern, &system.matrix, factor, &system.pull, solution, tolerance, MAX_ITERATIONS)
+        iteration.solve(pattern, &system.matrix, factor, &system.pull, solution, tolerance, MAX_SOLVER_ITERATIONS)
     }
 }
 
@@ -187,9 +188,3 @@ fn normalize(frames: &mut [DQuat]) {
 
 /// Faces that one task takes.
 const CHUNK: usize = 4096;
-/// Single precision does for solves that are no tighter,
-const SINGLE_TOLERANCE: f64 = 1e-4;
-/// and time steps, in mean face areas, that are no longer: beyond them M is lost in the rounding of Δt L.
-const SINGLE_DT: f64 = 1e4;
-/// More inner iterations than any step on a mesh of ten million faces took.
-const MAX_ITERATIONS: usize = 5000;

@@ -1,36 +1,34 @@
-//! Target bending angles of a scene (Sec. 6.3), at each time.
+//! Target bending angles (Sec. 6.3), at each time.
 
-use super::bending_angles;
-use crate::mesh::{EdgeId, MeshError, SelectionError, Surface, read_positions, select_edges};
-use crate::scene::{AtKey, BendingFrom, BendingSection};
-use crate::timeline::{Number, Parameters, TimelineError};
-use glam::DVec3;
-use std::path::Path;
-use std::sync::Arc;
+use crate::advice::Advice;
+use crate::mesh::{EdgeId, Mesh};
+use crate::timeline::Number;
 
-/// Why target angles are refused.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum BendingError {
-    /// Angles of positions that do not exist.
-    #[error("bending angles are to come from positions, but the mesh has none; use a mesh that has them, or a `file`")]
-    NoPositions,
-    /// The other mesh.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    /// An amount or angle.
-    #[error(transparent)]
-    Timeline(#[from] TimelineError),
-    /// A region.
-    #[error(transparent)]
-    Selection(#[from] SelectionError),
-    /// A formula without a value.
-    #[error("it is {value} at time {time}; correct the formula, it must be finite there")]
-    NotFinite {
-        /// What it is.
-        value: f64,
-        /// When.
-        time: f64,
-    },
+/// The number that target angles are refused for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BendingPart {
+    /// What the angles of a shape are multiplied with.
+    Amount,
+    /// The angle of the region of this number, from 0.
+    Region(usize),
+}
+
+/// An amount or an angle that has no value at a time.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("it is {value} at time {time}; {}", self.remedy())]
+pub struct BendingError {
+    /// Which.
+    pub part: BendingPart,
+    /// What it is.
+    pub value: f64,
+    /// When.
+    pub time: f64,
+}
+
+impl Advice for BendingError {
+    fn remedy(&self) -> String {
+        "correct the formula, it must be finite there".into()
+    }
 }
 
 /// Target bending angles at all times.
@@ -46,44 +44,25 @@ pub struct TargetBending {
 }
 
 impl TargetBending {
-    /// Validates what the scene says of a surface; `start` is what frames start from, |V|.
-    ///
-    /// # Errors
-    /// [`BendingError`] with the key of the scene that is at fault.
-    pub fn from_scene(
-        section: &BendingSection,
-        folder: &Path,
-        surface: &Surface,
-        start: Option<&[DVec3]>,
-        parameters: &Arc<Parameters>,
-    ) -> Result<TargetBending, AtKey<BendingError>> {
-        let (mesh, positions) = (&surface.mesh, surface.positions.as_deref());
-        let angles_of = |shape: Option<&[DVec3]>| match shape {
-            Some(positions) => Ok(bending_angles(mesh, positions)),
-            None => Err(AtKey { key: "bending.from".into(), error: BendingError::NoPositions }),
-        };
-        let angles = match &section.from {
-            None => vec![0.0; mesh.edge_count()],
-            Some(BendingFrom::Mesh) => angles_of(positions)?,
-            Some(BendingFrom::Start) => angles_of(start)?,
-            // A reflection keeps the surface's orientation and turns every fold around.
-            Some(BendingFrom::Mirror) => angles_of(positions)?.into_iter().map(|angle| -angle).collect(),
-            Some(BendingFrom::File(path)) => {
-                bending_angles(mesh, &read_positions(&folder.join(path), mesh).map_err(AtKey::of("bending.file"))?)
-            }
-        };
-        let amount = Number::from_scene(&section.amount, parameters).map_err(AtKey::of("bending.amount"))?;
-        let mut regions = Vec::new();
-        for (k, region) in section.regions.iter().enumerate() {
-            let key = format!("bending.region[{k}]");
-            let edges = select_edges(&region.edges, mesh, surface.places()).map_err(AtKey::of(&*key))?;
-            let angle = Number::from_scene(&region.angle, parameters).map_err(AtKey::of(format!("{key}.angle")))?;
-            regions.push((edges, angle));
-        }
-        let mut is_asked: Vec<bool> =
-            mesh.edges().map(|e| section.from.is_some() && !mesh.is_boundary_edge(e)).collect();
-        regions.iter().flat_map(|(edges, _)| edges).for_each(|e| is_asked[e.index()] = true);
-        Ok(TargetBending { angles, amount, regions, is_asked })
+    /// So much of the angles of a shape (|E|, in radians). Everything inside is asked to bend like that.
+    pub fn of_shape(mesh: &Mesh, angles: Vec<f64>, amount: Number) -> TargetBending {
+        let is_asked = mesh.edges().map(|e| !mesh.is_boundary_edge(e)).collect();
+        TargetBending { angles, amount, regions: Vec::new(), is_asked }
+    }
+
+    /// Flat at rest; no angle is asked for yet.
+    pub fn flat(mesh: &Mesh) -> TargetBending {
+        let amount = Number::Constant(1.0);
+        let (angles, is_asked) = (vec![0.0; mesh.edge_count()], vec![false; mesh.edge_count()]);
+        TargetBending { angles, amount, regions: Vec::new(), is_asked }
+    }
+
+    /// With one angle in degrees for these edges, in place of what held before; positive as on a sphere whose normals
+    /// point outward.
+    pub fn with_region(mut self, edges: Vec<EdgeId>, degrees: Number) -> TargetBending {
+        edges.iter().for_each(|e| self.is_asked[e.index()] = true);
+        self.regions.push((edges, degrees));
+        self
     }
 
     /// Whether any depends on time.
@@ -99,16 +78,16 @@ impl TargetBending {
     /// The targets at a time in radians, |E|; those of boundary edges mean nothing.
     ///
     /// # Errors
-    /// [`BendingError::NotFinite`] with the key of the amount or angle.
-    pub fn at(&self, time: f64) -> Result<Vec<f64>, AtKey<BendingError>> {
-        let finite = |number: &Number, key: &str| match number.at(time) {
+    /// [`BendingError`] with the amount or angle that has no value.
+    pub fn at(&self, time: f64) -> Result<Vec<f64>, BendingError> {
+        let finite = |number: &Number, part| match number.at(time) {
             value if value.is_finite() => Ok(value),
-            value => Err(AtKey { key: key.to_owned(), error: BendingError::NotFinite { value, time } }),
+            value => Err(BendingError { part, value, time }),
         };
-        let amount = finite(&self.amount, "bending.amount")?;
+        let amount = finite(&self.amount, BendingPart::Amount)?;
         let mut angles: Vec<f64> = self.angles.iter().map(|angle| amount * angle).collect();
         for (k, (edges, angle)) in self.regions.iter().enumerate() {
-            let angle = finite(angle, &format!("bending.region[{k}].angle"))?.to_radians();
+            let angle = finite(angle, BendingPart::Region(k))?.to_radians();
             edges.iter().for_each(|e| angles[e.index()] = angle);
         }
         Ok(angles)

@@ -8,27 +8,27 @@ mod curvature;
 mod deform;
 mod edge_vectors;
 mod fields;
-mod initial_shape;
 mod measure;
 mod pins;
 mod poisson;
 mod polar;
 mod spin_of_immersion;
+mod starting_shape;
 
 pub use alignment::RigidMotion;
-pub use bending::{BendingError, TargetBending};
+pub use bending::{BendingError, BendingPart, TargetBending};
 pub use conformal_factor::ConformalFactor;
 pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::{Periods, edge_vectors};
 pub use fields::{FieldInput, FieldValues, Fields};
-pub use initial_shape::{StartError, initial_positions};
 pub use measure::{
     LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn,
     pinch_points, rims,
 };
-pub use pins::{PinError, Pins};
+pub use pins::{PinError, PinGroup, Pins};
 pub use poisson::Poisson;
 pub use polar::{frames_of_edge_vectors, frames_of_positions};
-pub use spin_of_immersion::{rimless_frames, spin_from_scene, spin_of_immersion};
+pub use spin_of_immersion::{rimless_frames, spin_of_immersion};
+pub use starting_shape::{LostVertex, Noise, mirrored, moved};

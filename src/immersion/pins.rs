@@ -1,43 +1,59 @@
 //! Point constraints (Sec. 5.4.1): vertices whose positions are given, at each time.
 
+use crate::advice::Advice;
 use crate::algebra::quaternion;
-use crate::mesh::{SelectionError, Surface, VertexId, select_vertices};
-use crate::scene::{AtKey, Extrapolation, PinSection};
-use crate::timeline::{Keyframes, Parameters, PointFormula, TimelineError};
+use crate::mesh::{Mesh, VertexId};
+use crate::timeline::{Keyframes, PointFormula};
 use glam::DVec3;
-use std::sync::Arc;
 
-/// Why pins are refused.
+/// Why pins are refused. Vertices are those of the mesh file, groups those that pins are made of, from 0.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the fields are what the messages say they are
 pub enum PinError {
-    #[error(transparent)]
-    Selection(#[from] SelectionError),
-    #[error(transparent)]
-    Timeline(#[from] TimelineError),
-    #[error("it has {positions} positions for {vertices} vertices; give one position per vertex, or none")]
+    #[error("it has {positions} positions for {vertices} vertices; {}", self.remedy())]
     Count { vertices: usize, positions: usize },
-    #[error("it gives no positions and the mesh has none; add `positions`, one per vertex")]
+    #[error("it gives no positions and the mesh has none; {}", self.remedy())]
     NoPositions,
-    #[error("vertex {vertex} is pinned to {first:?} and to {second:?} at time {time}; keep one of the two")]
-    Contradiction { vertex: usize, first: [f64; 3], second: [f64; 3], time: f64 },
-    #[error("vertex {vertex} is led to {place:?} at time {time}; correct the formula there")]
-    NotFinite { vertex: usize, place: [f64; 3], time: f64 },
+    #[error("vertex {vertex} is pinned to {first:?} and to {second:?} at time {time}; {}", self.remedy())]
+    Contradiction { group: usize, vertex: usize, first: [f64; 3], second: [f64; 3], time: f64 },
+    #[error("vertex {vertex} is led to {place:?} at time {time}; {}", self.remedy())]
+    NotFinite { group: usize, vertex: usize, place: [f64; 3], time: f64 },
 }
 
-/// All pins of a scene.
-#[derive(Clone, Debug)]
+impl PinError {
+    /// The group that is at fault, where there are several.
+    pub fn group(&self) -> Option<usize> {
+        match *self {
+            PinError::Contradiction { group, .. } | PinError::NotFinite { group, .. } => Some(group),
+            PinError::Count { .. } | PinError::NoPositions => None,
+        }
+    }
+}
+
+impl Advice for PinError {
+    fn remedy(&self) -> String {
+        match self {
+            PinError::Count { .. } => "give one position per vertex, or none".into(),
+            PinError::NoPositions => "add `positions`, one per vertex".into(),
+            PinError::Contradiction { .. } => "keep one of the two".into(),
+            PinError::NotFinite { .. } => "correct the formula there".into(),
+        }
+    }
+}
+
+/// All pins of a surface.
+#[derive(Clone, Debug, Default)]
 pub struct Pins {
-    groups: Vec<Group>,
+    groups: Vec<PinGroup>,
     /// The pinned vertices, each once, in order,
     vertices: Vec<VertexId>,
     /// and their numbers in the mesh file.
     numbers: Vec<usize>,
 }
 
-/// One `[[pin]]`.
+/// Vertices that are held or led along together.
 #[derive(Clone, Debug)]
-struct Group {
+pub struct PinGroup {
     /// Vertices and where they belong at rest.
     rest: Vec<(VertexId, DVec3)>,
     formula: Option<PointFormula>,
@@ -46,28 +62,13 @@ struct Group {
 }
 
 impl Pins {
-    /// Validates what the scene says of a surface.
-    ///
-    /// # Errors
-    /// [`PinError`] with the key of the pin. Pins that contradict each other at another time than `start` are found
-    /// by [`Pins::at`].
-    pub fn from_scene(
-        sections: &[PinSection],
-        surface: &Surface,
-        parameters: &Arc<Parameters>,
-        start: f64,
-    ) -> Result<Pins, AtKey<PinError>> {
-        let mut groups = Vec::new();
-        for (k, section) in sections.iter().enumerate() {
-            groups.push(Group::from_scene(section, surface, parameters).map_err(AtKey::of(format!("pin[{k}]")))?);
-        }
+    /// Groups that agree on the vertices they share. Whether they do at a time is found by [`Pins::at`].
+    pub fn new(mesh: &Mesh, groups: Vec<PinGroup>) -> Pins {
         let mut vertices: Vec<VertexId> = groups.iter().flat_map(|group| &group.rest).map(|(v, _)| *v).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        let numbers = vertices.iter().map(|&v| surface.mesh.file_vertex(v)).collect();
-        let pins = Pins { groups, vertices, numbers };
-        pins.at(start)?;
-        Ok(pins)
+        let numbers = vertices.iter().map(|&v| mesh.file_vertex(v)).collect();
+        Pins { groups, vertices, numbers }
     }
 
     /// The pinned vertices, each once, in order.
@@ -90,22 +91,22 @@ impl Pins {
     ///
     /// # Errors
     /// [`PinError::Contradiction`], [`PinError::NotFinite`]
-    pub fn at(&self, time: f64) -> Result<Vec<(VertexId, DVec3)>, AtKey<PinError>> {
+    pub fn at(&self, time: f64) -> Result<Vec<(VertexId, DVec3)>, PinError> {
         let mut places: Vec<(VertexId, DVec3, usize)> = Vec::new();
         for (k, group) in self.groups.iter().enumerate() {
             places.extend(group.at(time).into_iter().map(|(v, place)| (v, place, k)));
         }
         places.sort_by_key(|(v, _, k)| (*v, *k));
-        let at = |k: usize, error| Err(AtKey { key: format!("pin[{k}]"), error });
-        if let Some((v, place, k)) = places.iter().find(|(_, place, _)| !place.is_finite()) {
-            return at(*k, PinError::NotFinite { vertex: self.number(*v), place: place.to_array(), time });
+        let is_lost = |(_, place, _): &&(VertexId, DVec3, usize)| !place.is_finite();
+        if let Some(&(v, place, group)) = places.iter().find(is_lost) {
+            return Err(PinError::NotFinite { group, vertex: self.number(v), place: place.to_array(), time });
         }
         let apart = |a: DVec3, b: DVec3| a.distance(b) > SAME_PLACE * (1.0 + a.length());
-        if let Some([(v, a, _), (_, b, k)]) =
+        if let Some(&[(v, a, _), (_, b, group)]) =
             places.array_windows().find(|[(v, a, _), (w, b, _)]| v == w && apart(*a, *b))
         {
             let (first, second) = (a.to_array(), b.to_array());
-            return at(*k, PinError::Contradiction { vertex: self.number(*v), first, second, time });
+            return Err(PinError::Contradiction { group, vertex: self.number(v), first, second, time });
         }
         places.dedup_by_key(|(v, ..)| *v);
         Ok(places.into_iter().map(|(v, place, _)| (v, place)).collect())
@@ -115,34 +116,26 @@ impl Pins {
 /// Two pins may name the same vertex if they agree up to rounding.
 const SAME_PLACE: f64 = 1e-12;
 
-impl Group {
-    fn from_scene(section: &PinSection, surface: &Surface, parameters: &Arc<Parameters>) -> Result<Group, PinError> {
-        let vertices = select_vertices(&section.vertices, &surface.mesh, surface.places())?;
-        let given = section.positions.len();
-        if given > 0 && given != vertices.len() {
-            return Err(PinError::Count { vertices: vertices.len(), positions: given });
+impl PinGroup {
+    /// Vertices and where each belongs at rest, in the same order.
+    ///
+    /// # Errors
+    /// [`PinError::Count`] unless there is one place per vertex.
+    pub fn new(vertices: Vec<VertexId>, places: Vec<DVec3>) -> Result<PinGroup, PinError> {
+        if vertices.len() != places.len() {
+            return Err(PinError::Count { vertices: vertices.len(), positions: places.len() });
         }
-        let place = |(k, &v): (usize, &VertexId)| match (section.positions.get(k), &surface.positions) {
-            (Some(place), _) => Ok((v, DVec3::from_array(*place))),
-            (None, Some(positions)) => Ok((v, positions[v.index()])),
-            (None, None) => Err(PinError::NoPositions),
-        };
-        let rest = vertices.iter().enumerate().map(place).collect::<Result<_, _>>()?;
-        let formula = match &section.formula {
-            None => None,
-            Some(texts) => Some(PointFormula::parse(texts, parameters)?),
-        };
-        let motion = match &section.motion {
-            None => None,
-            Some(motion) => {
-                let keyframes = |values: &[[f64; 3]]| {
-                    let values = values.iter().copied().map(DVec3::from_array).collect();
-                    Keyframes::new(motion.times.clone(), values, motion.ease, Extrapolation::Hold)
-                };
-                Some([keyframes(&motion.translations)?, keyframes(&motion.rotations)?])
-            }
-        };
-        Ok(Group { rest, formula, motion })
+        Ok(PinGroup { rest: vertices.into_iter().zip(places).collect(), formula: None, motion: None })
+    }
+
+    /// Led from there by a formula in x, y, z of the place and time.
+    pub fn led_by(self, formula: PointFormula) -> PinGroup {
+        PinGroup { formula: Some(formula), ..self }
+    }
+
+    /// Moved rigidly about their centroid after that: displacements, and degrees about x, then y, then z.
+    pub fn moved_by(self, translation: Keyframes<DVec3>, rotation: Keyframes<DVec3>) -> PinGroup {
+        PinGroup { motion: Some([translation, rotation]), ..self }
     }
 
     fn at(&self, time: f64) -> Vec<(VertexId, DVec3)> {

@@ -1,41 +1,13 @@
 //! Frames and spin structure of given positions (Sec. 4.1.1, 4.1.2).
 
-use super::frames_of_positions;
+use super::polar::frames_of_positions;
 use crate::algebra::Complex;
 use crate::frames::Shell;
 use crate::mesh::Mesh;
 use crate::metric::Metric;
-use crate::scene::SpinSection;
-use crate::spin::{Homology, SpinError, SpinStructure};
+use crate::spin::{SpinError, SpinStructure};
 use glam::{DQuat, DVec3};
 use std::collections::VecDeque;
-
-/// The spin structure that `[spin]` asks for.
-///
-/// # Errors
-/// [`SpinError`] for a class of the wrong length, or an immersion that is missing or is none.
-pub fn spin_from_scene(
-    section: &SpinSection,
-    mesh: &Mesh,
-    metric: &Metric,
-    homology: &Homology,
-    positions: Option<&[DVec3]>,
-) -> Result<SpinStructure, SpinError> {
-    match (section, positions) {
-        (SpinSection::Digits(digits), _) => {
-            let digits: Vec<bool> = digits.bytes().map(|digit| digit == b'1').collect();
-            SpinStructure::of_class(mesh, metric, homology, &digits)
-        }
-        (SpinSection::All, _) => SpinStructure::of_class(mesh, metric, homology, &vec![false; homology.betti()]),
-        // There is nothing to read where there is but one class.
-        (SpinSection::Automatic, _) if homology.betti() == 0 => Ok(SpinStructure::new(mesh, metric, homology)),
-        (SpinSection::Automatic, None) => {
-            SpinStructure::of_class(mesh, metric, homology, &vec![false; homology.betti()])
-        }
-        (SpinSection::Immersion, None) => Err(SpinError::NoPositions),
-        (_, Some(positions)) => spin_of_immersion(mesh, metric, positions),
-    }
-}
 
 /// The spin structure in whose class the given map is (Sec. 4.1.2): signs of τ such that its frames have no rims.
 ///
@@ -54,7 +26,7 @@ pub fn spin_of_immersion(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> R
             }
         })
         .collect();
-    let spin = SpinStructure::from_transports(transports);
+    let spin = SpinStructure::of_known(transports);
     match spin.figure_8_vertices(mesh, metric).len() {
         0 => Ok(spin),
         pinch_points => Err(SpinError::NotAnImmersion { pinch_points }),

@@ -1,19 +1,14 @@
-//! What a scene does to edge lengths: conformal factors and Ricci flow.
+//! Changes of edge lengths: conformal factors and Ricci flow.
 
 use super::MetricError;
-use super::ricci_change::RicciChange;
+use super::ricci_change::{RicciChange, RicciTarget};
 use crate::mesh::{Mesh, Surface, VertexId};
-use crate::scene::{AtKey, ChangeKind, MetricChangeSection};
-use crate::timeline::{Formula, Number, Parameters};
+use crate::timeline::{Formula, Number};
 use glam::DVec3;
-use std::path::Path;
-use std::sync::Arc;
 
-/// One `[[metric.change]]`.
+/// One change of all lengths, of which there may be more or less with time.
 #[derive(Clone, Debug)]
-pub(super) struct Change {
-    /// That of the scene, for messages.
-    pub key: String,
+pub struct Change {
     amount: Number,
     kind: Kind,
 }
@@ -25,49 +20,50 @@ enum Kind {
 }
 
 impl Change {
-    pub fn from_scene(
-        section: &MetricChangeSection,
-        key: String,
-        folder: &Path,
-        surface: &Surface,
-        parameters: &Arc<Parameters>,
-    ) -> Result<Change, AtKey<MetricError>> {
-        let at = |name: &str| format!("{key}.{name}");
-        let amount = Number::from_scene(&section.amount, parameters).map_err(AtKey::of(at("amount")))?;
+    /// Lengths are multiplied by `exp((u + u')/2)`, the log scale factors of the ends: so much of a formula in x, y and z
+    /// of the vertex.
+    ///
+    /// # Errors
+    /// [`MetricError::FormulaWithoutPositions`] if it uses coordinates and nothing is known of places.
+    pub fn conformal(surface: &Surface, log_scale: Formula, amount: Number) -> Result<Change, MetricError> {
         let places = surface.places();
-        let kind = match &section.kind {
-            ChangeKind::Conformal { log_scale } => {
-                let log_scale =
-                    Formula::parse(log_scale, &["x", "y", "z"], parameters).map_err(AtKey::of(at("log_scale")))?;
-                if places.is_none() && (0..3).any(|variable| log_scale.uses(variable)) {
-                    return Err(AtKey { key: at("log_scale"), error: MetricError::FormulaWithoutPositions });
-                }
-                let nowhere = || vec![DVec3::ZERO; surface.mesh.vertex_count()];
-                Kind::Conformal { log_scale, places: places.map_or_else(nowhere, <[DVec3]>::to_vec) }
-            }
-            ChangeKind::Ricci(section) => Kind::Ricci(RicciChange::from_scene(section, &key, folder, surface)?),
-        };
-        Ok(Change { key, amount, kind })
+        if places.is_none() && (0..3).any(|variable| log_scale.uses(variable)) {
+            return Err(MetricError::FormulaWithoutPositions);
+        }
+        let nowhere = || vec![DVec3::ZERO; surface.mesh.vertex_count()];
+        let places = places.map_or_else(nowhere, <[DVec3]>::to_vec);
+        Ok(Change { amount, kind: Kind::Conformal { log_scale, places } })
     }
 
+    /// Discrete Ricci flow: the amount a is the time −ln(1 − a), and 1 the limit.
+    ///
+    /// # Errors
+    /// [`MetricError::TargetRegion`] if a region lies in several components.
+    pub fn ricci(mesh: &Mesh, target: RicciTarget, amount: Number) -> Result<Change, MetricError> {
+        Ok(Change { amount, kind: Kind::Ricci(RicciChange::new(mesh, target)?) })
+    }
+
+    /// Whether it can depend on time.
     pub fn changes(&self) -> bool {
         self.amount.changes() || matches!(&self.kind, Kind::Conformal { log_scale, .. } if log_scale.changes())
     }
 
     /// What is worth saying of what was found.
-    pub fn note(&self) -> Option<String> {
+    pub(super) fn note(&self) -> Option<&'static str> {
         let Kind::Ricci(ricci) = &self.kind else { return None };
-        ricci.is_by_initial_areas().then(|| {
-            format!(
-                "{}: no metric was found in which the curvature beside the given ones is in proportion to area (a sphere with \
-                 a single cone has none), so that it is in proportion to the areas before the change",
-                self.key
-            )
-        })
+        ricci.is_by_initial_areas().then_some(
+            "no metric was found in which the curvature beside the given ones is in proportion to area (a sphere with a single \
+             cone has none), so that it is in proportion to the areas before the change",
+        )
     }
 
     /// The lengths after the change, and for a flow how far curvatures are from their targets.
-    pub fn apply(&mut self, mesh: &Mesh, lengths: Vec<f64>, time: f64) -> Result<(Vec<f64>, Option<f64>), MetricError> {
+    pub(super) fn apply(
+        &mut self,
+        mesh: &Mesh,
+        lengths: Vec<f64>,
+        time: f64,
+    ) -> Result<(Vec<f64>, Option<f64>), MetricError> {
         let amount = self.amount.at(time);
         match &mut self.kind {
             Kind::Conformal { log_scale, places } => {

@@ -155,6 +155,11 @@ pub fn lengths_of_positions(mesh: &Mesh, positions: &[glam::DVec3]) -> Vec<f64> 
         .collect()
 }
 
+/// The largest change of a length between two lists of them, as a share of it (by its logarithm).
+pub fn largest_strain(before: &[f64], after: &[f64]) -> f64 {
+    before.iter().zip(after).map(|(a, b)| libm::log(b / a).abs()).fold(0.0, f64::max)
+}
+
 fn check_triangles(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {
     let slack = |f: FaceId| slack(f.halfedges().map(|h| lengths[mesh.edge(h).index()]));
     let bad: Vec<(f64, FaceId)> =

@@ -8,10 +8,13 @@ mod lengths;
 mod program;
 mod ricci_change;
 
+pub use change::Change;
 pub use conformal::{
     BoundaryCondition, CURVATURE_TOLERANCE, Conformal, CurvatureTarget, GAUSS_BONNET_TOLERANCE, InteriorCurvature,
     Region, RicciFlow, uniformize,
 };
 pub use error::MetricError;
-pub use intrinsic::{Metric, TRIANGLE_MARGIN, lengths_of_positions};
-pub use program::{MetricAt, MetricProgram};
+pub use intrinsic::{Metric, TRIANGLE_MARGIN, largest_strain, lengths_of_positions};
+pub use lengths::Lengths;
+pub use program::{Interpolation, MetricAt, MetricPart, MetricProgram, NoMetric};
+pub use ricci_change::RicciTarget;

@@ -1,13 +1,11 @@
-//! The `[metric]` of a scene: edge lengths as a function of time.
+//! Edge lengths as a function of time.
 
 use super::change::Change;
 use super::lengths::Lengths;
 use super::{Metric, MetricError};
-use crate::mesh::{Mesh, Surface};
-use crate::scene::{AtKey, Interpolation, MetricSection};
-use crate::timeline::{Keyframes, Parameters};
-use std::path::Path;
-use std::sync::Arc;
+use crate::advice::Advice;
+use crate::mesh::Mesh;
+use crate::timeline::Keyframes;
 
 /// Edge lengths at all times: keys and what is between them, and the changes made to that, one after another.
 #[derive(Clone, Debug)]
@@ -15,8 +13,18 @@ pub struct MetricProgram {
     keys: Keyframes<Lengths>,
     interpolation: Interpolation,
     changes: Vec<Change>,
-    /// The key of the scene that lengths come from.
-    key: String,
+}
+
+/// What is linear between two keys.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Interpolation {
+    /// Lengths.
+    Lengths,
+    /// Squared lengths, that is the metric tensor of each triangle.
+    #[default]
+    Squared,
+    /// Logarithms of lengths.
+    Logarithms,
 }
 
 /// The metric at a time.
@@ -28,33 +36,48 @@ pub struct MetricAt {
     pub curvature_error: Option<f64>,
 }
 
+/// The part of a [`MetricProgram`] that is at fault.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MetricPart {
+    /// The lengths that it begins with.
+    Lengths,
+    /// The change of this number, from 0.
+    Change(usize),
+}
+
+/// Why there is no metric at a time.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("at time {time}: {error}")]
+pub struct NoMetric {
+    /// When.
+    pub time: f64,
+    /// Which part says so.
+    pub part: MetricPart,
+    /// Why.
+    pub error: MetricError,
+}
+
+impl Advice for NoMetric {
+    fn remedy(&self) -> String {
+        self.error.remedy()
+    }
+}
+
 impl MetricProgram {
-    /// Validates what the scene says of a surface; `folder` is where relative paths start.
-    ///
-    /// # Errors
-    /// [`MetricError`] with the key of the scene that is at fault.
-    pub fn from_scene(
-        section: &MetricSection,
-        folder: &Path,
-        surface: &Surface,
-        parameters: &Arc<Parameters>,
-    ) -> Result<MetricProgram, AtKey<MetricError>> {
-        let lengths = |source, key: &str| Lengths::from_scene(source, key, folder, surface, parameters);
-        let (mut times, mut values) = (Vec::new(), Vec::new());
-        for (k, key) in section.keys.iter().enumerate() {
-            times.push(key.time);
-            values.push(lengths(&key.lengths, &format!("metric.key[{k}]"))?);
-        }
-        let key = if times.is_empty() { "metric" } else { "metric.key" }.to_owned();
-        if times.is_empty() {
-            times.push(0.0);
-            values.push(lengths(&section.lengths, "metric")?);
-        }
-        let keys = Keyframes::new(times, values, section.ease, section.extrapolation).map_err(AtKey::of(&*key))?;
-        let change =
-            |(k, change)| Change::from_scene(change, format!("metric.change[{k}]"), folder, surface, parameters);
-        let changes = section.changes.iter().enumerate().map(change).collect::<Result<_, _>>()?;
-        Ok(MetricProgram { keys, interpolation: section.interpolation, changes, key })
+    /// Lengths at several times, and what is linear between them.
+    pub fn new(keys: Keyframes<Lengths>, interpolation: Interpolation) -> MetricProgram {
+        MetricProgram { keys, interpolation, changes: Vec::new() }
+    }
+
+    /// The same lengths at all times, or those that change by themselves.
+    pub fn of(lengths: Lengths) -> MetricProgram {
+        MetricProgram::new(Keyframes::constant(lengths), Interpolation::default())
+    }
+
+    /// With a change made to all that came before.
+    pub fn changed_by(mut self, change: Change) -> MetricProgram {
+        self.changes.push(change);
+        self
     }
 
     /// Whether the metric can depend on time.
@@ -64,24 +87,25 @@ impl MetricProgram {
             || self.changes.iter().any(Change::changes)
     }
 
-    /// What is worth saying of the metrics found so far.
-    pub fn notes(&self) -> Vec<String> {
-        self.changes.iter().filter_map(Change::note).collect()
+    /// What is worth saying of the metrics found so far, with the number of the change that it is about.
+    pub fn notes(&self) -> Vec<(usize, &'static str)> {
+        let notes = self.changes.iter().map(Change::note).enumerate();
+        notes.filter_map(|(number, note)| Some((number, note?))).collect()
     }
 
     /// The metric at a time. Cheapest for increasing times; the same bits in any order.
     ///
     /// # Errors
-    /// [`MetricError`] with the key of the scene that is at fault: lengths that are no metric at that time, with the
-    /// face or edge, and what a flow refuses.
-    pub fn at(&mut self, mesh: &Mesh, time: f64) -> Result<MetricAt, AtKey<MetricError>> {
-        let mut metric = Metric::new(mesh, self.between_keys(time)).map_err(AtKey::of(&*self.key))?;
+    /// [`NoMetric`]: lengths that are no metric at that time, with the face or edge, and what a flow refuses.
+    pub fn at(&mut self, mesh: &Mesh, time: f64) -> Result<MetricAt, NoMetric> {
+        let fault = |part| move |error| NoMetric { time, part, error };
+        let mut metric = Metric::new(mesh, self.between_keys(time)).map_err(fault(MetricPart::Lengths))?;
         let mut curvature_error = None;
-        for change in &mut self.changes {
+        for (number, change) in self.changes.iter_mut().enumerate() {
+            let fault = fault(MetricPart::Change(number));
             let lengths;
-            let apply = change.apply(mesh, metric.edge_lengths().to_vec(), time);
-            (lengths, curvature_error) = apply.map_err(AtKey::of(&*change.key))?;
-            metric = Metric::new(mesh, lengths).map_err(AtKey::of(&*change.key))?;
+            (lengths, curvature_error) = change.apply(mesh, metric.edge_lengths().to_vec(), time).map_err(&fault)?;
+            metric = Metric::new(mesh, lengths).map_err(&fault)?;
         }
         Ok(MetricAt { metric, curvature_error })
     }

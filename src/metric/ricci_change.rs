@@ -1,16 +1,29 @@
-//! Ricci flow of a scene. Every component flows on its own, to a curvature and at an area of its own.
+//! Ricci flow as a change of lengths. Every component flows on its own, to a curvature and at an area of its own.
 
 use super::{BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow};
-use crate::mesh::{Component, Mesh, Surface, VertexId, read_vertex_numbers, select_vertices};
-use crate::scene::{AtKey, RicciSection};
+use crate::mesh::{Component, Mesh, VertexId};
 use std::collections::HashSet;
-use std::path::Path;
 use std::sync::Arc;
 
-/// `kind = "ricci"` under `[[metric.change]]`.
+/// What a Ricci flow tends to, the same for every component.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub struct RicciTarget {
+    /// Gaussian curvature inside; left out, the constant that Gauss–Bonnet leaves.
+    pub curvature: Option<f64>,
+    /// Regions with a total curvature of their own, in place of `curvature`.
+    pub regions: Vec<Region>,
+    /// Single vertices with a curvature of their own in radians, as if each were a region.
+    pub cones: Vec<(VertexId, f64)>,
+    /// Total turning angle of every boundary loop in radians, spread in proportion to length; left out, the boundary
+    /// keeps its lengths.
+    pub turning: Option<f64>,
+    /// Whether lengths may change as a whole.
+    pub free_area: bool,
+}
+
 #[derive(Clone, Debug)]
 pub(super) struct RicciChange {
-    section: RicciSection,
+    target: RicciTarget,
     parts: Vec<Part>,
 }
 
@@ -20,7 +33,7 @@ struct Part {
     component: Component,
     /// The regions that lie in it, with its own numbers of vertices.
     regions: Vec<Region>,
-    /// Per region: which one of the scene it is; those of a file come after all others.
+    /// Per region: which one of the target it is; cones come after all of them.
     region_numbers: Vec<usize>,
     flow: Option<Box<Flow>>,
 }
@@ -33,32 +46,22 @@ struct Flow {
 }
 
 impl RicciChange {
-    pub fn from_scene(
-        section: &RicciSection,
-        key: &str,
-        folder: &Path,
-        surface: &Surface,
-    ) -> Result<RicciChange, AtKey<MetricError>> {
-        let at = |name: &str| format!("{key}.{name}");
+    /// # Errors
+    /// [`MetricError::TargetRegion`] if a region lies in several components.
+    pub fn new(mesh: &Mesh, target: RicciTarget) -> Result<RicciChange, MetricError> {
         let part = |component| Part { component, regions: Vec::new(), region_numbers: Vec::new(), flow: None };
-        let mut parts: Vec<Part> = Component::all_of(&Arc::new(surface.mesh.clone())).into_iter().map(part).collect();
-        for (k, region) in section.regions.iter().enumerate() {
-            let mut vertices = select_vertices(&region.vertices, &surface.mesh, surface.places())
-                .map_err(AtKey::of(at(&format!("region[{k}]"))))?;
+        let mut parts: Vec<Part> = Component::all_of(&Arc::new(mesh.clone())).into_iter().map(part).collect();
+        for (number, region) in target.regions.iter().enumerate() {
+            let mut region = region.clone();
             // A welded vertex may be named by each of its numbers.
             let mut named = HashSet::new();
-            vertices.retain(|v| named.insert(*v));
-            let region = Region { vertices, curvature: region.total.to_radians() };
-            give(&mut parts, &region, k).map_err(AtKey::of(at(&format!("region[{k}]"))))?;
+            region.vertices.retain(|v| named.insert(*v));
+            give(&mut parts, &region, number)?;
         }
-        if let Some(path) = &section.csv {
-            let numbers = read_vertex_numbers(&folder.join(path), &surface.mesh).map_err(AtKey::of(at("csv")))?;
-            for (v, degrees) in numbers {
-                let region = Region { vertices: vec![v], curvature: degrees.to_radians() };
-                give(&mut parts, &region, section.regions.len()).map_err(AtKey::of(at("csv")))?;
-            }
+        for &(v, curvature) in &target.cones {
+            give(&mut parts, &Region { vertices: vec![v], curvature }, target.regions.len())?;
         }
-        Ok(RicciChange { section: section.clone(), parts })
+        Ok(RicciChange { target, parts })
     }
 
     /// Whether the curvature that was left over had to be spread by the areas before the change.
@@ -70,7 +73,7 @@ impl RicciChange {
     pub fn apply(&mut self, mut lengths: Vec<f64>, amount: f64) -> Result<(Vec<f64>, f64), MetricError> {
         let mut largest: f64 = 0.0;
         for part in &mut self.parts {
-            let (own, error) = part.apply(&self.section, part.component.edges.pick(&lengths), amount)?;
+            let (own, error) = part.apply(&self.target, part.component.edges.pick(&lengths), amount)?;
             part.component.edges.put(&own, &mut lengths);
             largest = largest.max(error);
         }
@@ -78,7 +81,7 @@ impl RicciChange {
     }
 }
 
-/// Gives a region to the component that it lies in; `number` is its number in the scene.
+/// Gives a region to the component that it lies in; `number` is its number in the target.
 fn give(parts: &mut [Part], region: &Region, number: usize) -> Result<(), MetricError> {
     let Some(first) = region.vertices.first() else { return Ok(()) };
     let Some(part) = parts.iter_mut().find(|part| part.component.vertices.here(first.index()).is_some()) else {
@@ -95,20 +98,15 @@ fn give(parts: &mut [Part], region: &Region, number: usize) -> Result<(), Metric
 }
 
 impl Part {
-    fn apply(
-        &mut self,
-        section: &RicciSection,
-        lengths: Vec<f64>,
-        amount: f64,
-    ) -> Result<(Vec<f64>, f64), MetricError> {
+    fn apply(&mut self, target: &RicciTarget, lengths: Vec<f64>, amount: f64) -> Result<(Vec<f64>, f64), MetricError> {
         let mesh = self.component.mesh.clone();
         let mut started = match self.flow.take() {
             Some(flow) if flow.start == lengths => flow,
             _ => Box::new(Flow {
                 flow: self
-                    .target(section, &lengths)
+                    .goal(target, &lengths)
                     .and_then(|goal| RicciFlow::new(&mesh, &lengths, &goal))
-                    .map_err(|error| self.as_in_scene(section, error))?,
+                    .map_err(|error| self.as_asked(target, error))?,
                 start: lengths,
             }),
         };
@@ -124,11 +122,11 @@ impl Part {
         Ok((lengths, error))
     }
 
-    /// An error that names a region as the scene does. Those of single vertices, from a file, have no number.
-    fn as_in_scene(&self, section: &RicciSection, error: MetricError) -> MetricError {
+    /// An error that names a region by its number in the target, and a cone by its vertex.
+    fn as_asked(&self, target: &RicciTarget, error: MetricError) -> MetricError {
         match error {
             MetricError::TargetRegion { region, reason } => match self.region_numbers[region] {
-                number if number < section.regions.len() => MetricError::TargetRegion { region: number, reason },
+                number if number < target.regions.len() => MetricError::TargetRegion { region: number, reason },
                 _ => {
                     let vertex = self.regions[region].vertices.first();
                     let vertex = vertex.map_or(0, |&v| self.component.mesh.file_vertex(v));
@@ -140,19 +138,19 @@ impl Part {
     }
 
     /// The target for the metric that the flow starts from.
-    fn target(&self, section: &RicciSection, lengths: &[f64]) -> Result<CurvatureTarget, MetricError> {
+    fn goal(&self, target: &RicciTarget, lengths: &[f64]) -> Result<CurvatureTarget, MetricError> {
         let mesh = &*self.component.mesh;
         let metric = Metric::new(mesh, lengths.to_vec())?;
-        let boundary = match section.turning {
+        let boundary = match target.turning {
             None => BoundaryCondition::Isometric,
-            Some(degrees) => BoundaryCondition::TurningAngles(turning_angles(mesh, &metric, degrees.to_radians())),
+            Some(total) => BoundaryCondition::TurningAngles(turning_angles(mesh, &metric, total)),
         };
-        let interior = match section.curvature {
+        let interior = match target.curvature {
             Some(density) => InteriorCurvature::Density(density),
             None if self.regions.is_empty() => InteriorCurvature::Constant,
             None => InteriorCurvature::PerRegion(self.regions.clone()),
         };
-        Ok(CurvatureTarget { interior, boundary, keep_area: !section.free_area })
+        Ok(CurvatureTarget { interior, boundary, keep_area: !target.free_area })
     }
 }
 

@@ -1,7 +1,5 @@
 //! What a scene asks of its pictures.
 
-use std::sync::Arc;
-
 use glam::DVec3;
 
 use super::{MovieError, gif, labels::labels};
@@ -9,7 +7,7 @@ use crate::{
     cache::FrameReport,
     render::{Camera, Extent, Lights, Look, Output, Png},
     scene::{AnimationFormat, Scene},
-    timeline::{Clock, Formula, Parameters},
+    timeline::{Clock, Formula},
 };
 
 /// What a scene asks of its pictures, validated before anything is computed.
@@ -46,7 +44,7 @@ impl<'a> Plan<'a> {
             look: Look::from_scene(&scene.look, &scene.folder)?,
             lights: Lights::from_scene(&scene.lights)?,
             output,
-            clock: Clock::from_scene(&scene.clock),
+            clock: scene.times(&scene.clock)?,
             png: scene.output.png.then_some(Png { sixteen_bits: scene.output.depth == 16, small: false }),
             hide: hide(scene)?,
         })
@@ -80,15 +78,8 @@ impl<'a> Plan<'a> {
     }
 }
 
-/// The parameters of a scene.
-pub(super) fn parameters(scene: &Scene) -> Result<Arc<Parameters>, MovieError> {
-    Parameters::from_scene(&scene.parameters)
-        .map_err(|(name, error)| MovieError::of_scene(scene, &format!("parameters.{name}"), &error.to_string()))
-}
-
 fn hide(scene: &Scene) -> Result<Option<Formula>, MovieError> {
     let Some(text) = &scene.look.hide else { return Ok(None) };
-    Formula::parse(text, &["x", "y", "z"], &parameters(scene)?)
-        .map(Some)
-        .map_err(|error| MovieError::of_scene(scene, "look.hide", &error.to_string()))
+    let parameters = scene.parameters().map_err(MovieError::from)?;
+    Ok(Some(scene.formula("look.hide", text, &["x", "y", "z"], &parameters)?))
 }

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use super::{MovieError, Plan, coordinates::Chart, plan::parameters};
+use super::{MovieError, Plan, coordinates::Chart};
 use crate::{
-    algebra::Complex,
-    cache::{Cache, FrameState},
-    evolve::phases_from_scene,
+    cache::Cache,
+    evolve::Frame,
     immersion::{FieldInput, FieldValues, Fields},
     mesh::Mesh,
     metric::Metric,
@@ -67,12 +66,9 @@ impl Measures {
         let along = along(plan, cache, mesh)?;
         let wanted = color.is_some() || !layers.is_empty() || matches!(along, Along::Field(..));
         let fields = if wanted {
-            let first = metric(mesh, &cache.read_frame(1)?)?;
-            // Energies are those of the reports: with the weights of the last phase.
-            let phases = phases_from_scene(plan.scene, mesh.face_count())
-                .map_err(|error| MovieError::of_scene(plan.scene, &error.key, &error.error.to_string()))?;
-            let stiffness = phases.last().map_or([1.0; 4], |phase| phase.step.stiffness);
-            Some(Fields::new(Arc::clone(mesh), first, stiffness))
+            let first = cache.read_frame(1)?;
+            // Energies are those of the reports.
+            Some(Fields::new(Arc::clone(mesh), metric(mesh, &first)?, first.report.stiffness))
         } else {
             None
         };
@@ -80,7 +76,7 @@ impl Measures {
     }
 
     /// The fields of a frame.
-    pub fn at(&self, mesh: &Mesh, state: &FrameState) -> Result<Quantities, MovieError> {
+    pub fn at(&self, mesh: &Mesh, state: &Frame) -> Result<Quantities, MovieError> {
         let basis = self.basis(mesh, state)?;
         let field =
             |name: FieldName| Ok::<_, MovieError>(self.values(&basis, name, state)?.map(|of| Field::new(name, of)));
@@ -106,7 +102,7 @@ impl Measures {
     }
 
     /// How the values of a frame are spread, as far as the look depends on it.
-    pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &FrameState) -> Result<Spreads, MovieError> {
+    pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &Frame) -> Result<Spreads, MovieError> {
         let mut spreads = Spreads::default();
         let basis = self.basis(mesh, state)?;
         if let Some(name) = self.free_color(plan)
@@ -144,22 +140,16 @@ impl Measures {
     }
 
     /// What the fields of a frame are computed from, if any are asked for.
-    fn basis(&self, mesh: &Mesh, state: &FrameState) -> Result<Option<Basis>, MovieError> {
+    fn basis(&self, mesh: &Mesh, state: &Frame) -> Result<Option<Basis>, MovieError> {
         if self.fields.is_none() {
             return Ok(None);
         }
-        let transports = state.transport.iter().map(|&[re, im]| Complex { re, im }).collect();
-        Ok(Some(Basis { metric: metric(mesh, state)?, spin: SpinStructure::from_transports(transports) }))
+        Ok(Some(Basis { metric: metric(mesh, state)?, spin: state.spin.clone() }))
     }
 
-    fn values(
-        &self,
-        basis: &Option<Basis>,
-        name: FieldName,
-        state: &FrameState,
-    ) -> Result<Option<FieldValues>, MovieError> {
+    fn values(&self, basis: &Option<Basis>, name: FieldName, state: &Frame) -> Result<Option<FieldValues>, MovieError> {
         let (Some(fields), Some(Basis { metric, spin })) = (&self.fields, basis) else { return Ok(None) };
-        let input = FieldInput { metric, positions: &state.positions, frames: &state.frames, spin };
+        let input = FieldInput { metric, positions: &state.positions, frames: &state.face_frames, spin };
         fields.of(name, &input).map(Some).map_err(|error| damaged(error.to_string()))
     }
 }
@@ -183,7 +173,7 @@ fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {
     let places = cache.places()?;
     let first = cache.read_frame(1)?;
     let chart = Chart { mesh, section: &scene.mesh, places: places.as_deref(), edge_lengths: &first.edge_lengths };
-    let parameters = parameters(scene)?;
+    let parameters = scene.parameters()?;
     chart
         .coordinates(along, count, &parameters)
         .map(|fields| Along::Mesh(Box::new(fields)))
@@ -193,7 +183,7 @@ fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {
 /// Bands of the look that is named for them, if the scene says nothing else.
 const BANDS: usize = 12;
 
-fn metric(mesh: &Mesh, state: &FrameState) -> Result<Metric, MovieError> {
+fn metric(mesh: &Mesh, state: &Frame) -> Result<Metric, MovieError> {
     Metric::new(mesh, state.edge_lengths.clone()).map_err(|error| damaged(error.to_string()))
 }
 

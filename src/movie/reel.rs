@@ -6,12 +6,13 @@ use rayon::prelude::*;
 
 use super::{Arrivals, MovieError, Plan, quantities::Spreads, subject::Subject};
 use crate::{
-    cache::{Cache, CacheError, FrameState},
+    cache::{Cache, CacheError},
+    evolve::Frame,
     render::Extent,
 };
 
 /// Frames in memory, by number.
-pub(super) type States = BTreeMap<usize, Arc<FrameState>>;
+pub(super) type States = BTreeMap<usize, Arc<Frame>>;
 
 /// The frames of a film.
 #[derive(Debug)]

@@ -9,7 +9,7 @@ use super::{
     subject::Subject,
 };
 use crate::{
-    cache::FrameState,
+    evolve::Frame,
     render::{
         Camera, CameraMotion, Exposure, Extent, Film, Legend, Look, Metadata, Output, Overlay, Plane, RenderError,
         render,
@@ -56,13 +56,13 @@ impl<'a> Shots<'a> {
 
     /// A picture of a frame. While the shutter is open, vertices go straight toward the frame after it, and the camera
     /// goes on its way; layers are those of the moment when it opens. Without a next frame nothing moves.
-    pub fn take(&self, state: &FrameState, next: Option<&FrameState>) -> Result<Film, MovieError> {
+    pub fn take(&self, state: &Frame, next: Option<&Frame>) -> Result<Film, MovieError> {
         let camera_section = &self.plan.scene.camera;
-        let here = self.camera_at(state.frame, 0.0);
+        let here = self.camera_at(state.report.frame, 0.0);
         let mut moment = self.subject.moment(self.plan, state, next)?;
         let goals = moment.next_positions.clone();
         // Where they are going as seen from here, though the camera moves too.
-        let carried = here.as_seen_by(&self.camera_at(state.frame, 1.0));
+        let carried = here.as_seen_by(&self.camera_at(state.report.frame, 1.0));
         moment.next_positions.iter_mut().for_each(|place| *place = carried.transform_point3(*place));
         let picture = |positions: &[DVec3], camera: &Camera, output: &Output| {
             let scenery = self.subject.scenery(&moment, positions, self.ground);
@@ -75,7 +75,7 @@ impl<'a> Shots<'a> {
                 let part = camera_section.shutter * sample as f64 / last as f64;
                 let positions: Vec<DVec3> =
                     moment.positions.iter().zip(&goals).map(|(from, to)| from.lerp(*to, part)).collect();
-                let camera = self.camera_at(state.frame, part);
+                let camera = self.camera_at(state.report.frame, part);
                 exposure.add(&picture(&positions, &camera, &self.output.with_layers(false))?);
             }
         }
@@ -85,7 +85,7 @@ impl<'a> Shots<'a> {
         Ok(film)
     }
 
-    fn overlay(&self, state: &FrameState) -> Result<Overlay, RenderError> {
+    fn overlay(&self, state: &Frame) -> Result<Overlay, RenderError> {
         let scene = self.plan.scene;
         let corners = texts(scene).into_iter().map(|section| section.corner);
         Ok(Overlay {
@@ -96,17 +96,17 @@ impl<'a> Shots<'a> {
     }
 
     /// What is known of a picture.
-    pub fn metadata(&self, state: &FrameState) -> Metadata {
+    pub fn metadata(&self, state: &Frame) -> Metadata {
         let scene = self.plan.scene;
         Metadata {
             scene: scene.name.clone(),
             scene_hash: self.subject.scene_hash(),
-            frame: state.frame,
+            frame: state.report.frame,
             frames: scene.clock.frames,
-            time: state.time,
+            time: state.report.time,
             frame_rate: scene.output.frame_rate,
             comment: labels(scene, &state.report, self.subject.faces()).unwrap_or_default().join("\n"),
-            camera: Some(self.camera_at(state.frame, 0.0)),
+            camera: Some(self.camera_at(state.report.frame, 0.0)),
         }
     }
 

@@ -7,12 +7,12 @@ use glam::DVec3;
 
 use super::{
     MovieError, Plan,
-    plan::parameters,
     quantities::{Measures, Quantities, Spreads},
 };
 use crate::{
-    cache::{Cache, CacheError, FrameState},
-    immersion::{Pins, pinch_points},
+    cache::{Cache, CacheError},
+    evolve::Frame,
+    immersion::pinch_points,
     mesh::{self, EdgeId, Mesh, Surface},
     render::{Extent, Legend, Look, Plane, Scenery},
     scene::Scene,
@@ -107,7 +107,7 @@ impl Subject {
     }
 
     /// Where the vertices of a frame are in the picture: components are moved away from the middle of all.
-    pub fn positions(&self, state: &FrameState) -> Vec<DVec3> {
+    pub fn positions(&self, state: &Frame) -> Vec<DVec3> {
         let mut positions = state.positions.clone();
         let mean = |points: &mut dyn Iterator<Item = DVec3>, count: usize| points.sum::<DVec3>() / count.max(1) as f64;
         let middle = mean(&mut state.positions.iter().copied(), state.positions.len());
@@ -120,7 +120,7 @@ impl Subject {
     }
 
     /// What the camera has to know of a frame.
-    pub fn extent(&self, state: &FrameState) -> Extent {
+    pub fn extent(&self, state: &Frame) -> Extent {
         Extent::of_surface(&self.positions(state), &self.triangles)
     }
 
@@ -130,7 +130,7 @@ impl Subject {
     }
 
     /// How the values of a frame are spread, as far as the look depends on it.
-    pub fn spreads(&self, plan: &Plan, state: &FrameState) -> Result<Spreads, MovieError> {
+    pub fn spreads(&self, plan: &Plan, state: &Frame) -> Result<Spreads, MovieError> {
         self.measures.spreads(plan, &self.mesh, state)
     }
 
@@ -140,12 +140,12 @@ impl Subject {
     }
 
     /// What is seen of a frame; the one after it tells where vertices go.
-    pub fn moment(&self, plan: &Plan, state: &FrameState, next: Option<&FrameState>) -> Result<Moment, MovieError> {
+    pub fn moment(&self, plan: &Plan, state: &Frame, next: Option<&Frame>) -> Result<Moment, MovieError> {
         Ok(Moment {
             positions: self.positions(state),
             next_positions: next.map(|next| self.positions(next)).unwrap_or_default(),
-            shown: self.shown(plan, state.time),
-            rims: self.mesh.edges().filter(|e| state.rims[e.index()]).map(|e| ends(&self.mesh, e)).collect(),
+            shown: self.shown(plan, state.report.time),
+            rims: state.rims.iter().map(|&e| ends(&self.mesh, e)).collect(),
             pinch_points: pinch_points(&self.mesh, &state.positions).into_iter().map(|v| v.0).collect(),
             quantities: self.measures.at(&self.mesh, state)?,
         })
@@ -208,8 +208,7 @@ fn surface_of(scene: &Scene, triangles: &[[u32; 3]]) -> Result<Surface, MovieErr
 }
 
 fn pins_of(scene: &Scene, surface: &Surface) -> Result<Vec<u32>, MovieError> {
-    let pins = Pins::from_scene(&scene.pins, surface, &parameters(scene)?, scene.clock.start)
-        .map_err(|error| MovieError::of_scene(scene, &error.key, &error.error.to_string()))?;
+    let pins = scene.pins(surface, &scene.parameters()?)?;
     Ok(pins.vertices().iter().map(|v| v.0).collect())
 }
 

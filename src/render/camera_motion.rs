@@ -7,10 +7,7 @@ use super::{
     camera::Lens,
     framing::{fit_orthographic, fit_perspective, in_range, orientation},
 };
-use crate::{
-    scene::{CameraSection, Extrapolation},
-    timeline::Keyframes,
-};
+use crate::{scene::CameraSection, timeline::Extrapolation, timeline::Keyframes};
 
 /// A camera that goes round the surface on a turntable and from key to key.
 ///

@@ -73,20 +73,3 @@ impl fmt::Display for SceneErrors {
 }
 
 impl std::error::Error for SceneErrors {}
-
-/// What is wrong, and which key of the scene says so, as in `metric.change[0].log_scale`.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("{key}: {error}")]
-pub struct AtKey<E: std::fmt::Display> {
-    /// The dotted key.
-    pub key: String,
-    /// What is wrong with it.
-    pub error: E,
-}
-
-impl<E: fmt::Display> AtKey<E> {
-    /// Puts a key to an error, as in `map_err(AtKey::of("metric.csv"))`.
-    pub fn of<F: Into<E>>(key: impl Into<String>) -> impl FnOnce(F) -> AtKey<E> {
-        move |error| AtKey { key: key.into(), error: error.into() }
-    }
-}

@@ -94,6 +94,15 @@ impl Scene {
         self.complain(key, error.reason(), error.remedy())
     }
 
+    /// The surface of the scene.
+    ///
+    /// # Errors
+    /// At the key that is at fault.
+    pub fn surface(&self) -> Result<crate::mesh::Surface, SceneError> {
+        crate::mesh::of_scene(self)
+            .map_err(|e| self.complain_of(if e.is_of_file() { "mesh.file" } else { "mesh" }, &e.to_string()))
+    }
+
     /// A path of the scene, seen from the working folder.
     pub fn resolve(&self, path: &Path) -> PathBuf {
         self.folder.join(path)

@@ -4,6 +4,8 @@ use super::data::*;
 use super::motion_sections::selection;
 use super::number::{ease, extrapolation};
 use super::table::Table;
+use crate::metric::Interpolation;
+use crate::timeline::{Ease, Extrapolation};
 
 pub(super) fn metric(table: &mut Table) -> MetricSection {
     let lengths = length_source(table);

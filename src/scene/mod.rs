@@ -10,6 +10,7 @@
 //! assert!(mistakes.to_string().contains("did you mean `sphere`?"));
 //! ```
 
+mod build;
 mod data;
 mod error;
 mod file;
@@ -30,7 +31,8 @@ mod table;
 mod text;
 mod value;
 
+pub use build::{clock_of, phases_as_text};
 pub use data::*;
-pub use error::{AtKey, SceneError, SceneErrors};
+pub use error::{SceneError, SceneErrors};
 pub use source::{Location, Source};
 pub use text::{Text, decode, without_mark};

@@ -4,8 +4,11 @@ use super::data::*;
 use super::names::Boundary;
 use super::number::{one_per_time, times};
 use super::table::Table;
+use crate::evolve::Orientation;
+use crate::immersion::Noise;
+use crate::timeline::Clock;
 
-const MAX_FRAMES: f64 = ClockSection::MOST_FRAMES as f64;
+const MAX_FRAMES: f64 = Clock::MOST_FRAMES as f64;
 
 pub(super) fn spin(table: &mut Table) -> SpinSection {
     let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions; or \"all\": one a frame.";
@@ -66,8 +69,8 @@ pub(super) fn start(table: &mut Table) -> StartSection {
     section
 }
 
-fn noise(table: &mut Table) -> NoiseSection {
-    NoiseSection {
+fn noise(table: &mut Table) -> Noise {
+    Noise {
         amplitude: table
             .key("amplitude", "Root mean square displacement of the first layer.")
             .at_least(0.0)

@@ -4,10 +4,11 @@ use serde_json::Value as Json;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::data::{Ease, Extrapolation, NumberSection};
+use super::data::NumberSection;
 use super::problems::{Problem, Problems};
 use super::table::{Table, declared};
 use super::value::{Bounds, Kind, Value, shown};
+use crate::timeline::{Ease, Extrapolation};
 
 impl Value for NumberSection {
     fn kind(bounds: Bounds) -> Kind {

@@ -1,5 +1,6 @@
 //! The sections of a scene, one function each: its keys, what they may be, and their defaults.
 
+use super::build::degrees;
 use super::data::*;
 use super::look_section::look;
 use super::metric_section::metric;
@@ -7,6 +8,8 @@ use super::motion_sections::{bending, binary_digits, clock, pin, spin, start};
 use super::picture_sections::{camera, light, output};
 use super::shapes::mesh;
 use super::table::Table;
+use crate::evolve::{Phase, TimeStep};
+use crate::frames::Method;
 
 /// All sections. Name, folder and source are filled in by the caller.
 pub(super) fn root(table: &mut Table) -> Scene {
@@ -51,7 +54,7 @@ const PHASES: &str = "A stage of the relaxation. Without any there are five: eps
      changes default ones; others replace them. `bending_stiffness` under [bending] is epsilon[1] of the last.";
 
 fn phase(table: &mut Table) -> PhaseSection {
-    let default = PhaseSection::default();
+    let default = Phase::default();
     let like = table.choice(
         "like",
         "\"default\": all default phases, with what else stands here changed in each.",
@@ -66,23 +69,26 @@ fn phase(table: &mut Table) -> PhaseSection {
     let method = table.choice(
         "method",
         "The step: implicit with the norm's basis frozen, Alg. 5 as printed, or Alg. 6.",
-        &[("implicit", MethodName::Implicit), ("gradient", MethodName::Gradient), ("newton", MethodName::Newton)],
+        &[("implicit", Method::Implicit), ("gradient", Method::Gradient), ("newton", Method::Newton)],
     );
-    let phase = PhaseSection {
+    let phase = Phase {
         method: method.unwrap_or(default.method),
-        epsilon: table
+        stiffness: table
             .key("epsilon", "(length, bending, normal rotation, torsion) weights, Eq. 20.")
             .at_least(0.0)
-            .or(default.epsilon),
-        dt: table.key("dt", "Time step in units of the mean face area.").above(0.0).or(default.dt),
-        turn: table
+            .or(default.stiffness),
+        dt: TimeStep::FaceAreas(
+            table.key("dt", "Time step in units of the mean face area.").above(0.0).or(default.dt.in_face_areas(1)),
+        ),
+        turn_radians: table
             .key(
                 "turn",
                 "Steps after the first are as long as it takes for frames to turn by this many degrees a step.",
             )
             .above(0.0)
             .at_most(90.0)
-            .optional(1.0),
+            .optional(1.0)
+            .map(f64::to_radians),
         feedback: table
             .key("feedback", "How far frames move toward those of the integrated surface after each step, Alg. 8.")
             .at_least(0.0)
@@ -100,11 +106,12 @@ fn phase(table: &mut Table) -> PhaseSection {
         accelerate: table
             .key("accelerate", "Whether steps are combined with earlier ones once they shrink.")
             .or(default.accelerate),
-        tolerance: table
+        tolerance_radians: table
             .key("tolerance", "The stage ends when the mean turn of a frame per step is below this, in degrees.")
             .above(0.0)
             .at_most(180.0)
-            .or(default.tolerance),
+            .or(degrees(default.tolerance_radians))
+            .to_radians(),
         min_steps: table.key("min_steps", "The least number of steps.").or(default.min_steps),
         max_steps: table
             .key("max_steps", "After this many steps the stage is said not to have converged.")
@@ -113,18 +120,17 @@ fn phase(table: &mut Table) -> PhaseSection {
         untangle_steps: table
             .key("untangle_steps", "So many more steps are taken as long as there are rims.")
             .or(default.untangle_steps),
-        like,
     };
-    if phase.epsilon.iter().all(|&weight| weight == 0.0) {
+    if phase.stiffness.iter().all(|&weight| weight == 0.0) {
         table.complain("epsilon", "all weights are 0, so that nothing is minimized", "make the first one 1");
     }
     // Those of default phases are known later.
-    if phase.like.is_none() && phase.min_steps > phase.max_steps {
+    if like.is_none() && phase.min_steps > phase.max_steps {
         let (least, most) = (phase.min_steps, phase.max_steps);
         let reason = format!("`min_steps` is {least}, more than `max_steps`, which is {most}");
         table.complain("min_steps", reason, format!("write at most {most}, or raise `max_steps`"));
     }
-    phase
+    PhaseSection { phase, like }
 }
 
 fn checks(table: &mut Table) -> ChecksSection {

@@ -40,7 +40,7 @@ impl ChangeOfMetric {
                 }
             })
             .collect();
-        ChangeOfMetric { spin: SpinStructure::from_transports(transports), turns }
+        ChangeOfMetric { spin: SpinStructure::of_known(transports), turns }
     }
 
     /// Turns frames along: the surface they describe is deformed without being turned, face by face.

@@ -45,8 +45,24 @@ impl SpinStructure {
         Ok(spin)
     }
 
-    /// A spin connection from one transport per edge, as stored.
-    pub fn from_transports(transports: Vec<Complex>) -> SpinStructure {
+    /// A spin structure from one transport per edge, |E|, as [`SpinStructure::transports`] gives them.
+    ///
+    /// # Errors
+    /// [`SpinError::TransportCount`], [`SpinError::NotUnit`]
+    pub fn from_transports(mesh: &Mesh, transports: Vec<Complex>) -> Result<SpinStructure, SpinError> {
+        if transports.len() != mesh.edge_count() {
+            return Err(SpinError::TransportCount { given: transports.len(), edges: mesh.edge_count() });
+        }
+        // Products of unit numbers are unit up to rounding.
+        let is_unit = |t: &Complex| (t.re * t.re + t.im * t.im - 1.0).abs() < 1e-9;
+        match transports.iter().position(|t| !is_unit(t)) {
+            Some(edge) => Err(SpinError::NotUnit { edge }),
+            None => Ok(SpinStructure { transports }),
+        }
+    }
+
+    /// From transports that are known to be those of a spin structure.
+    pub(crate) fn of_known(transports: Vec<Complex>) -> SpinStructure {
         SpinStructure { transports }
     }
 

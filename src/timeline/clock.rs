@@ -1,6 +1,6 @@
 //! From frame numbers to times.
 
-use crate::scene::ClockSection;
+use super::TimelineError;
 
 /// When the frames of a film are taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,21 +12,47 @@ pub struct Clock {
 }
 
 impl Clock {
-    /// From the `[clock]` of a scene.
-    pub fn from_scene(section: &ClockSection) -> Clock {
-        let ClockSection { frames, start, end, looping, .. } = *section;
-        Clock { frames, start, end, looping }
+    /// Frame numbers have six digits in file names.
+    pub const MOST_FRAMES: usize = 999_999;
+
+    /// So many frames, evenly from the time of the first one to that of the last one or, in a film that loops, to that of
+    /// the first one when it comes again.
+    ///
+    /// # Errors
+    /// [`TimelineError::Frames`] unless there are 1 to [`Clock::MOST_FRAMES`], [`TimelineError::Backwards`] if the times
+    /// are not finite or the end is not after the start.
+    pub fn new(frames: usize, [start, end]: [f64; 2], looping: bool) -> Result<Clock, TimelineError> {
+        if !(1..=Clock::MOST_FRAMES).contains(&frames) {
+            return Err(TimelineError::Frames { frames });
+        }
+        if !(start.is_finite() && end.is_finite() && start < end) {
+            return Err(TimelineError::Backwards { start, end });
+        }
+        Ok(Clock { frames, start, end, looping })
+    }
+
+    /// One frame, at time 0.
+    pub const STILL: Clock = Clock { frames: 1, start: 0.0, end: 1.0, looping: false };
+
+    /// Number of frames.
+    pub fn frames(&self) -> usize {
+        self.frames
     }
 
     /// The time of a frame, counted from 1. The last one is at the end, but for a film that loops: there the first one
     /// comes next, and is at the end.
     pub fn time(&self, frame: usize) -> f64 {
         let intervals = if self.looping { self.frames } else { self.frames - 1 };
-        if intervals == 0 || frame == 1 {
+        if intervals == 0 || frame <= 1 {
             return self.start;
         }
         let part = (frame - 1) as f64 / intervals as f64;
         if part == 1.0 { self.end } else { self.start + (self.end - self.start) * part }
+    }
+
+    /// The time of the first frame.
+    pub fn start(&self) -> f64 {
+        self.start
     }
 
     /// The time of the last frame or, in a film that loops, of the first one when it comes again.

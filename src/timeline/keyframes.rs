@@ -1,8 +1,33 @@
 //! Values at given times, and between them.
 
 use super::TimelineError;
-use crate::scene::{Ease, Extrapolation};
 use std::ops::{Add, Mul, Sub};
+
+/// How a keyframed value passes from one keyframe to the next.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Ease {
+    /// At constant speed.
+    #[default]
+    Linear,
+    /// Slowly at both ends.
+    Smooth,
+    /// Slowly at first.
+    In,
+    /// Slowly at last.
+    Out,
+}
+
+/// What a keyframed value does before the first and after the last keyframe.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Extrapolation {
+    /// It stands still.
+    #[default]
+    Hold,
+    /// It goes on at the speed it would have between the two nearest keyframes without easing.
+    Linear,
+    /// It starts over.
+    Repeat,
+}
 
 /// Values at increasing times.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +39,12 @@ pub struct Keyframes<T> {
 }
 
 impl<T> Keyframes<T> {
+    /// The same value at all times.
+    pub fn constant(value: T) -> Keyframes<T> {
+        let (ease, extrapolation) = (Ease::default(), Extrapolation::default());
+        Keyframes { times: vec![0.0], values: vec![value], ease, extrapolation }
+    }
+
     /// One value per time.
     ///
     /// # Errors

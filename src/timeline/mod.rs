@@ -10,6 +10,6 @@ mod point_formula;
 pub use clock::Clock;
 pub use error::TimelineError;
 pub use formula::{Formula, FormulaAt};
-pub use keyframes::{Keyframes, eased};
+pub use keyframes::{Ease, Extrapolation, Keyframes, eased};
 pub use parameters::{Number, Parameters};
 pub use point_formula::{PointFormula, PointFormulaAt};

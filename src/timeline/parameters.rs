@@ -1,7 +1,6 @@
-//! Named numbers of a scene that formulas share.
+//! Named numbers that formulas share.
 
 use super::{Formula, Keyframes, TimelineError};
-use crate::scene::NumberSection;
 use std::sync::Arc;
 
 /// A number that may change with time.
@@ -16,20 +15,6 @@ pub enum Number {
 }
 
 impl Number {
-    /// Validates what the scene says.
-    ///
-    /// # Errors
-    /// [`TimelineError`]
-    pub fn from_scene(section: &NumberSection, parameters: &Arc<Parameters>) -> Result<Number, TimelineError> {
-        Ok(match section {
-            NumberSection::Constant(value) => Number::Constant(*value),
-            NumberSection::Formula(text) => Number::Formula(Formula::parse(text, &[], parameters)?),
-            NumberSection::Keyframes { times, values, ease, extrapolation } => {
-                Number::Keyframes(Keyframes::new(times.clone(), values.clone(), *ease, *extrapolation)?)
-            }
-        })
-    }
-
     /// Its value at a time.
     pub fn at(&self, time: f64) -> f64 {
         match self {
@@ -49,34 +34,28 @@ impl Number {
     }
 }
 
-/// The `[parameters]` of a scene. A formula among them may use those before it.
+/// Named numbers. A formula among them may use those before it.
 #[derive(Clone, Debug, Default)]
 pub struct Parameters {
     named: Vec<(String, Number)>,
 }
 
 impl Parameters {
-    /// Validates what the scene says, in its order.
+    /// With one more, which may use those that are there.
     ///
     /// # Errors
-    /// The name of the parameter that is at fault, and why.
-    pub fn from_scene(sections: &[(String, NumberSection)]) -> Result<Arc<Parameters>, (String, TimelineError)> {
-        let mut parameters = Arc::new(Parameters::default());
-        for (name, section) in sections {
-            let fail = |error| (name.clone(), error);
-            let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
-                && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-            // What does not parse as a variable of its own is a function, an operator or a constant.
-            let is_free = Formula::parse(name, &[name], &Arc::default()).is_ok_and(|formula| formula.uses(0));
-            if !is_name || !is_free || RESERVED.contains(&name.as_str()) {
-                return Err(fail(TimelineError::Name { name: name.clone() }));
-            }
-            let number = Number::from_scene(section, &parameters).map_err(fail)?;
-            let mut named = parameters.named.clone();
-            named.push((name.clone(), number));
-            parameters = Arc::new(Parameters { named });
+    /// [`TimelineError::Name`] if the name means something in formulas already, or is none.
+    pub fn with(&self, name: &str, number: Number) -> Result<Parameters, TimelineError> {
+        let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        // What does not parse as a variable of its own is a function, an operator or a constant.
+        let is_free = Formula::parse(name, &[name], &Arc::default()).is_ok_and(|formula| formula.uses(0));
+        if !is_name || !is_free || RESERVED.contains(&name) || self.names().any(|known| known == name) {
+            return Err(TimelineError::Name { name: name.to_owned() });
         }
-        Ok(parameters)
+        let mut named = self.named.clone();
+        named.push((name.to_owned(), number));
+        Ok(Parameters { named })
     }
 
     /// Their names, in order.

@@ -1,6 +1,8 @@
 //! `[metric]`: edge lengths, and how they change.
 
-use super::{Ease, Extrapolation, NumberSection, SelectionSection};
+use super::{NumberSection, SelectionSection};
+use crate::metric::Interpolation;
+use crate::timeline::{Ease, Extrapolation};
 use std::path::PathBuf;
 
 /// `[metric]`: lengths, and changes made to them one after another.
@@ -47,18 +49,6 @@ pub struct MetricKeySection {
     pub time: f64,
     /// What.
     pub lengths: LengthSource,
-}
-
-/// What is linear between two keys.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Interpolation {
-    /// Lengths.
-    Lengths,
-    /// Squared lengths, that is the metric tensor of each triangle.
-    #[default]
-    Squared,
-    /// Logarithms of lengths.
-    Logarithms,
 }
 
 /// `[[metric.change]]`

@@ -1,6 +1,9 @@
 //! Class, start, bending and pins.
 
-use super::{Ease, NumberSection};
+use super::NumberSection;
+use crate::evolve::Orientation;
+use crate::immersion::Noise;
+use crate::timeline::Ease;
 use std::path::PathBuf;
 
 /// `[spin]`
@@ -25,20 +28,9 @@ pub struct StartSection {
     /// Where each vertex of those positions is moved: formulas of x, y, z and the parameters.
     pub formula: Option<[String; 3]>,
     /// What is added to them.
-    pub noise: Option<NoiseSection>,
+    pub noise: Option<Noise>,
     /// Which of two mirror images random and spectral frames end in.
     pub orientation: Orientation,
-}
-
-/// Which of two mirror images is taken. Lengths cannot tell them apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Orientation {
-    /// That of the mesh's positions where their lengths are asked for, else the one whose front is outside: of
-    /// positive enclosed volume.
-    #[default]
-    Outward,
-    /// Whichever comes.
-    AsItComes,
 }
 
 impl From<StartFrom> for StartSection {
@@ -66,21 +58,6 @@ impl Default for StartFrom {
     fn default() -> Self {
         StartFrom::Random(0)
     }
-}
-
-/// Smooth random displacement of positions.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NoiseSection {
-    /// Root mean square displacement of the first layer.
-    pub amplitude: f64,
-    /// Length of the waves of the first layer.
-    pub wavelength: f64,
-    /// Number of layers, each of half the wavelength and half the amplitude of the one before.
-    pub octaves: usize,
-    /// Which of the many.
-    pub seed: u64,
-    /// Whether vertices move along their normals only.
-    pub along_normals: bool,
 }
 
 /// A set of vertices.

@@ -1,6 +1,6 @@
 //! Camera, lights and output.
 
-use super::Ease;
+use crate::timeline::Ease;
 
 /// `[camera]`: everything left out frames the surface by itself.
 #[derive(Clone, Debug, PartialEq)]

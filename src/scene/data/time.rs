@@ -1,5 +1,7 @@
 //! `[clock]`, and numbers that change with time.
 
+use crate::timeline::{Ease, Extrapolation};
+
 /// A number that may change with time.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NumberSection {
@@ -18,32 +20,6 @@ pub enum NumberSection {
         /// Outside of them.
         extrapolation: Extrapolation,
     },
-}
-
-/// How a keyframed value passes from one keyframe to the next.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Ease {
-    /// At constant speed.
-    #[default]
-    Linear,
-    /// Slowly at both ends.
-    Smooth,
-    /// Slowly at first.
-    In,
-    /// Slowly at last.
-    Out,
-}
-
-/// What a keyframed value does before the first and after the last keyframe.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Extrapolation {
-    /// It stands still.
-    #[default]
-    Hold,
-    /// It goes on at the speed it would have between the two nearest keyframes without easing.
-    Linear,
-    /// It starts over.
-    Repeat,
 }
 
 /// `[clock]`
@@ -72,11 +48,6 @@ pub struct ClockSection {
     /// No edge changes its length by more than this share at once; where a frame brings more, it is reached in
     /// several parts.
     pub max_strain: f64,
-}
-
-impl ClockSection {
-    /// Frame numbers have six digits in file names.
-    pub const MOST_FRAMES: usize = 999_999;
 }
 
 impl Default for ClockSection {

@@ -1,54 +1,8 @@
 //! What is known of a frame besides its positions.
 
+use crate::evolve::relax::{Cursor, Phase};
+use crate::frames::Stiffness;
 use serde::{Deserialize, Serialize};
-
-/// Where a relaxation stands between two steps.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Cursor {
-    /// Phase, from 0; the number of phases when all are done.
-    pub phase: usize,
-    /// Steps taken in this phase.
-    pub step: usize,
-    /// Steps taken in all phases.
-    pub steps: usize,
-    /// How often frames were drawn anew because rims would not resolve.
-    pub restarts: usize,
-    /// Δt of the next step in mean face areas, where the phase lets it change; 0 at the start of a phase.
-    #[serde(default)]
-    pub dt: f64,
-    /// Mean turn of the frames in the last step in radians; 0 at the start of a phase.
-    #[serde(default)]
-    pub turn: f64,
-    /// Whether the last phase that ended did so because frames stood still.
-    pub settled: bool,
-    /// How often the bending stiffness of a film came down from what it started with.
-    #[serde(default)]
-    pub level: usize,
-    /// Whether the mirror image was taken of what random frames had led to.
-    #[serde(default)]
-    pub mirrored: bool,
-}
-
-impl Cursor {
-    /// The same run at the start of a phase.
-    pub(super) fn at_start_of(self, phase: usize) -> Cursor {
-        Cursor { phase, step: 0, dt: 0.0, turn: 0.0, ..self }
-    }
-
-    /// Of several components together: steps and restarts of all, and where the one stands that is least far.
-    pub(super) fn of_all(cursors: &[Cursor]) -> Cursor {
-        let Some(least) = cursors.iter().min_by_key(|cursor| (cursor.phase, cursor.step)) else {
-            return Cursor::default();
-        };
-        Cursor {
-            steps: cursors.iter().map(|cursor| cursor.steps).sum(),
-            restarts: cursors.iter().map(|cursor| cursor.restarts).sum(),
-            settled: cursors.iter().all(|cursor| cursor.settled),
-            mirrored: cursors.iter().any(|cursor| cursor.mirrored),
-            ..*least
-        }
-    }
-}
 
 /// What one of several components is worth.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -128,8 +82,11 @@ pub struct FrameReport {
     /// The class that the frame was to have.
     #[serde(default)]
     pub asked_class: String,
-    /// Energy of the frames (Eq. 20) with the last phase's ε.
+    /// Energy of the frames (Eq. 20) with the weights `stiffness`.
     pub energy: f64,
+    /// The weights ε of the last phase.
+    #[serde(default = "usual_stiffness")]
+    pub stiffness: Stiffness,
     /// Period part of the edge vectors relative to their norm.
     pub period_error: f64,
     /// With Ricci flow: the largest distance of a curvature from its target, in radians.
@@ -190,6 +147,11 @@ pub struct FrameReport {
     pub on_the_way: bool,
 }
 
+/// Of films that do not say it.
+fn usual_stiffness() -> Stiffness {
+    Phase::default().stiffness
+}
+
 /// In place of the class of a surface that has none.
 pub const NO_CLASS: &str = "—";
 
@@ -203,14 +165,78 @@ impl FrameReport {
     pub fn has_no_class(&self) -> bool {
         self.spin_class == NO_CLASS
     }
-}
 
-impl FrameReport {
     /// Where the relaxation of each component stands.
     pub fn cursors(&self) -> Vec<Cursor> {
         match self.components.as_slice() {
             [] => vec![self.cursor],
             components => components.iter().map(|component| component.cursor).collect(),
         }
+    }
+
+    /// Whether all measures are numbers; others cannot be written to a report and read again.
+    pub fn is_finite(&self) -> bool {
+        // Every field is named here, so that none is forgotten.
+        let FrameReport {
+            frame: _,
+            time,
+            l2_length_error,
+            max_length_error,
+            median_length_error,
+            p95_length_error,
+            rims: _,
+            rim_length,
+            pinch_points: _,
+            spin_class: _,
+            asked_class: _,
+            energy,
+            stiffness,
+            period_error,
+            curvature_error,
+            mean_distance,
+            pin_distance,
+            strain,
+            median_move,
+            max_move,
+            rims_born: _,
+            rims_died: _,
+            rims_moved: _,
+            enclosed_volume,
+            largest_dent,
+            bending_error,
+            places,
+            components,
+            cursor,
+            seconds,
+            converged: _,
+            on_the_way: _,
+        } = self;
+        let always = [
+            time,
+            l2_length_error,
+            max_length_error,
+            median_length_error,
+            p95_length_error,
+            rim_length,
+            energy,
+            period_error,
+            strain,
+            median_move,
+            max_move,
+            seconds,
+            &places.thinness,
+            &places.sharpest_degrees,
+        ];
+        let sometimes = [curvature_error, mean_distance, pin_distance, enclosed_volume, largest_dent];
+        let of_bending = bending_error.map_or([0.0; 2], |error| [error.rms_degrees, error.max_degrees]);
+        let of_components =
+            components.iter().flat_map(|part| [part.l2_length_error, part.max_length_error, part.cursor.dt]);
+        let mut numbers = (always.into_iter().copied())
+            .chain(sometimes.into_iter().flatten().copied())
+            .chain(*stiffness)
+            .chain(of_bending)
+            .chain(of_components)
+            .chain([cursor.dt, cursor.turn]);
+        numbers.all(f64::is_finite)
     }
 }

@@ -6,18 +6,12 @@
 //! still finding its shape.
 
 use crate::algebra::inner_product;
+use crate::tuning::{
+    ACCELERATION_REACH, ACCELERATION_REACH_OF_A_FACE, ACCELERATION_REGULARIZATION, ACCELERATION_WINDOW,
+};
 use glam::{DQuat, DVec3};
 use nalgebra::{DMatrix, DVector};
 use rayon::prelude::*;
-
-/// How many earlier steps are combined.
-const WINDOW: usize = 5;
-/// The correction is at most this many steps long, on the whole;
-const REACH: f64 = 5.0;
-/// and in a single face this many times the mean of that.
-const REACH_OF_A_FACE: f64 = 4.0;
-/// Relative regularization of the normal equations.
-const REGULARIZATION: f64 = 1e-8;
 
 /// Earlier steps of one phase.
 #[derive(Clone, Debug, Default)]
@@ -43,7 +37,7 @@ impl Acceleration {
         self.last_length = length;
         let result = after.to_vec();
         if let Some((last_result, last_step)) = self.last.take() {
-            if self.step_changes.len() == WINDOW {
+            if self.step_changes.len() == ACCELERATION_WINDOW {
                 self.step_changes.remove(0);
                 self.result_changes.remove(0);
                 self.products.remove(0);
@@ -66,7 +60,7 @@ impl Acceleration {
     fn weights(&self, step: &[DVec3]) -> Option<DVector<f64>> {
         let n = self.step_changes.len();
         let mut matrix = DMatrix::from_fn(n, n, |i, j| self.products[i.max(j)][i.min(j)]);
-        let floor = REGULARIZATION * matrix.trace() / n as f64;
+        let floor = ACCELERATION_REGULARIZATION * matrix.trace() / n as f64;
         (0..n).for_each(|i| matrix[(i, i)] += floor);
         matrix.cholesky().map(|factor| factor.solve(&DVector::from_fn(n, |i, _| dot(&self.step_changes[i], step))))
     }
@@ -77,9 +71,9 @@ impl Acceleration {
             correction.par_iter_mut().zip(change).for_each(|(c, change)| *c -= *change * *weight);
         }
         let total = dot(&correction, &correction).sqrt();
-        let reach = REACH * step_length;
+        let reach = ACCELERATION_REACH * step_length;
         let scale = if total > reach { reach / total } else { 1.0 };
-        let most = REACH_OF_A_FACE * reach / (frames.len() as f64).sqrt();
+        let most = ACCELERATION_REACH_OF_A_FACE * reach / (frames.len() as f64).sqrt();
         frames.par_iter_mut().zip(&correction).for_each(|(frame, c)| {
             let c = (*c * scale).clamp_length_max(most);
             let angle = c.length();

@@ -1,8 +1,7 @@
 //! Where a frame is worst, for those who have to mend it.
 
-use super::Places;
-use super::relaxation::Relaxation;
-use super::report::BendingError;
+use super::frame_report::{BendingError, Places};
+use crate::evolve::state::State;
 use crate::immersion::{bending_angles, length_errors};
 use crate::mesh::{EdgeId, FaceId, Mesh, VertexId};
 use crate::metric::Metric;
@@ -54,15 +53,15 @@ pub(super) struct BendingSums {
 
 impl BendingSums {
     /// `None` without targets. `positions` are those of the component.
-    pub fn of(relaxation: &Relaxation, positions: &[DVec3]) -> Option<BendingSums> {
-        let mesh = &*relaxation.component.mesh;
-        let (targets, is_bent) = (relaxation.angles.as_ref()?, relaxation.is_bent.as_ref()?);
+    pub fn of(state: &State, positions: &[DVec3]) -> Option<BendingSums> {
+        let mesh = state.mesh();
+        let (targets, is_bent) = state.target_angles()?;
         let angles = bending_angles(mesh, positions);
         let mut sums = BendingSums::default();
         for e in mesh.interior_edges().filter(|e| is_bent[e.index()]) {
             // Angles are known up to full turns.
             let off = (angles[e.index()] - targets[e.index()] + PI).rem_euclid(TAU) - PI;
-            let length = relaxation.metric.length(e);
+            let length = state.metric().length(e);
             sums.squares += length * off * off;
             sums.lengths += length;
             if off.abs() > sums.largest.0 || sums.largest == (0.0, [0; 2]) {

@@ -1,0 +1,63 @@
+//! `[clock]` as times and pace, and how many frames there are when each class has one.
+
+use crate::evolve::{Pace, Settling};
+use crate::mesh::Mesh;
+use crate::scene::{ClockSection, Scene, SceneError, SpinSection};
+use crate::timeline::Clock;
+use crate::tuning::STEPS_PER_FRAME;
+
+/// The clock of a scene on its mesh, which says how many classes there are where each has a frame.
+///
+/// # Errors
+/// If there are more classes than there can be frames, or more frames than classes.
+pub fn clock_of(scene: &Scene, mesh: &Mesh) -> Result<ClockSection, SceneError> {
+    let ClockSection { frames, a_frame_for_each_class, .. } = scene.clock;
+    if scene.spin != SpinSection::All {
+        return Ok(scene.clock);
+    }
+    let betti = mesh.betti();
+    let classes = u32::try_from(betti).ok().and_then(|betti| 1_usize.checked_shl(betti));
+    match classes {
+        Some(classes) if a_frame_for_each_class && classes <= Clock::MOST_FRAMES => {
+            Ok(ClockSection { frames: classes, a_frame_for_each_class: false, ..scene.clock })
+        }
+        _ if a_frame_for_each_class => Err(scene.complain(
+            "spin.class",
+            format!(
+                "there are 2 to the power of {betti} classes, and a film has at most {} frames",
+                Clock::MOST_FRAMES
+            ),
+            "write `frames` under [clock] for the first so many of them",
+        )),
+        Some(classes) if frames > classes => Err(scene.complain(
+            "clock.frames",
+            format!("there are {frames} frames for the classes of {betti} generators, one each"),
+            format!("lower `frames` to 2 to the power of {betti}"),
+        )),
+        _ => Ok(scene.clock),
+    }
+}
+
+impl Scene {
+    /// The times of the frames, with as many of them as the section says.
+    ///
+    /// # Errors
+    /// At the key that is at fault.
+    pub fn times(&self, section: &ClockSection) -> Result<Clock, SceneError> {
+        let ClockSection { frames, start, end, looping, .. } = *section;
+        Clock::new(frames, [start, end], looping).map_err(|error| self.complain_about("clock", &error))
+    }
+
+    /// What happens between two frames; `changes` is whether anything changes with time.
+    pub(super) fn pace(&self, section: &ClockSection, changes: bool) -> Result<Pace, SceneError> {
+        Ok(match section.steps_per_frame {
+            _ if self.spin == SpinSection::All => Pace::EachClass,
+            Some(steps) if section.frames > 1 => Pace::Steps(steps),
+            None if section.frames > 1 && !changes => Pace::Steps(STEPS_PER_FRAME),
+            _ => Pace::Settle(
+                Settling::new(section.tolerance.to_radians(), section.max_steps, section.max_strain)
+                    .map_err(|error| self.complain_about(&format!("clock.{}", error.name), &error))?,
+            ),
+        })
+    }
+}

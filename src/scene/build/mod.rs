@@ -1,0 +1,28 @@
+//! From what a scene says to the values that the rooms take. Nothing else knows both.
+//!
+//! Every function complains at the key that is at fault, with line and caret.
+
+mod bending;
+mod clock;
+mod faults;
+mod metric;
+mod numbers;
+mod phases;
+mod pins;
+mod simulation;
+mod start;
+
+pub use clock::clock_of;
+pub(super) use phases::degrees;
+pub use phases::phases_as_text;
+
+impl crate::advice::Advice for crate::mesh::MeshError {
+    fn remedy(&self) -> String {
+        self.to_string().rsplit_once("; ").map_or("correct it".into(), |(_, r)| r.into())
+    }
+}
+impl crate::advice::Advice for crate::mesh::SelectionError {
+    fn remedy(&self) -> String {
+        self.to_string().rsplit_once("; ").map_or("correct it".into(), |(_, r)| r.into())
+    }
+}

@@ -1,0 +1,61 @@
+//! `[start]` as the frames to start from.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+
+use crate::evolve::Start;
+use crate::immersion::{mirrored, moved};
+use crate::mesh::{Surface, read_positions};
+use crate::scene::{Scene, SceneError, StartFrom};
+use crate::timeline::Parameters;
+
+impl Scene {
+    /// Where frames start, at the time of the first frame.
+    pub(super) fn start_of(
+        &self,
+        surface: &Surface,
+        parameters: &Arc<Parameters>,
+        time: f64,
+    ) -> Result<Start, SceneError> {
+        let (section, mesh) = (&self.start, &surface.mesh);
+        // Coordinates are no shape by themselves.
+        let given = if section.formula.is_some() { surface.places() } else { surface.positions.as_deref() };
+        let of_mesh = || match given {
+            Some(positions) => Ok(positions.to_vec()),
+            None => Err(self.complain(
+                "start.from",
+                "the frames are to start from positions, but the mesh has none",
+                "write `random = 0`, name a `file`, or use a mesh that has them",
+            )),
+        };
+        let mut positions: Vec<DVec3> = match &section.from {
+            StartFrom::Random(seed) => return Ok(Start::Random(*seed)),
+            StartFrom::Spectral => return Ok(Start::Spectral),
+            StartFrom::Mesh => of_mesh()?,
+            StartFrom::Mirror => mirrored(&of_mesh()?),
+            StartFrom::File(path) => {
+                read_positions(&self.resolve(path), mesh).map_err(|error| self.complain_about("start.file", &error))?
+            }
+        };
+        if let Some(texts) = &section.formula {
+            let formula = self.point_formula("start.formula", texts, parameters)?;
+            positions = moved(mesh, &positions, &formula, time)
+                .map_err(|error| self.complain_about("start.formula", &error))?;
+        }
+        if let Some(noise) = &section.noise {
+            positions = noise.displaced(mesh, &positions);
+        }
+        Ok(Start::Shape { positions, is_mirrored: section.from == StartFrom::Mirror })
+    }
+
+    /// Whether the scene asks for no folds: neither by a start that was made for them, nor by target bending angles, nor
+    /// by phases of its own.
+    pub(super) fn is_smooth(&self) -> bool {
+        matches!(self.start.from, StartFrom::Mesh | StartFrom::Random(_) | StartFrom::Spectral)
+            && self.start.formula.is_none()
+            && self.start.noise.is_none()
+            && self.bending.is_none()
+            && self.phases.is_empty()
+    }
+}

@@ -1,0 +1,96 @@
+//! The numbers that tune the method, each with its reason. They were found on the bunny, tori of all classes, disks, the
+//! hare, the double duck and surfaces of genus 2; what was tried and did not pay is in ARCHITECTURE.md.
+
+/// How often random frames are drawn anew, at most, when rims are left in the end. On surfaces of genus 2 some classes
+/// took five attempts.
+pub const MAX_RESTARTS: usize = 8;
+
+/// Δt of the first phase, as a share of the area of the surface. All strains cost the same there, so that a step of any
+/// length is one solve; longer steps gain nothing.
+pub const SMOOTHING_SHARE: f64 = 1.0 / 28.0;
+
+/// Residual of the linear solve of a step relative to that of standing still, where frames have nearly settled. Tighter
+/// solves did not save steps.
+pub const SOLVER_TOLERANCE: f64 = 1e-2;
+
+/// Mean turn per step in radians (0.1°) from which on solves on the way to a later phase become looser in proportion.
+/// A rough solution leads as far as an exact one as long as frames turn by much.
+pub const SETTLED_TURN: f64 = 0.1 / 180.0 * std::f64::consts::PI;
+
+/// How much looser than [`SOLVER_TOLERANCE`] such a solve may be. At a tenth everywhere, crumpled tori end at a larger error.
+pub const LOOSEST_SOLVE: f64 = 10.0;
+
+/// Single precision does for linear solves that are no tighter than this, and has half the bytes.
+pub const SINGLE_PRECISION_TOLERANCE: f64 = 1e-4;
+
+/// Single precision does for time steps that are no longer than this many mean face areas. Beyond them the mass matrix
+/// is lost in the rounding of Δt L.
+pub const SINGLE_PRECISION_DT: f64 = 1e4;
+
+/// Iterations of a linear solve. No step took more on a mesh of ten million faces.
+pub const MAX_SOLVER_ITERATIONS: usize = 5000;
+
+/// The least factor from one Δt to the next, where it is chosen by how far frames turn.
+pub const LEAST_DT_FACTOR: f64 = 0.5;
+
+/// The largest factor from one Δt to the next. It is nearer to 1 than the least one, because a step that was too long
+/// does more harm than one that was too short.
+pub const LARGEST_DT_FACTOR: f64 = 1.5;
+
+/// The shortest Δt in mean face areas, where it is chosen.
+pub const SHORTEST_DT: f64 = 0.1;
+
+/// The longest Δt in mean face areas, where it is chosen. Longer steps gain nothing.
+pub const LONGEST_DT: f64 = 1e3;
+
+/// Bending beyond which a spring holds creases open, in radians (155°). Beyond 180° they turn into rims.
+pub const CREASE_ANGLE: f64 = 155.0 / 180.0 * std::f64::consts::PI;
+
+/// How many earlier steps Anderson acceleration combines. Ten take as many steps.
+pub const ACCELERATION_WINDOW: usize = 5;
+
+/// An accelerated correction is at most this many steps long on the whole. With twenty, some surfaces take more steps.
+pub const ACCELERATION_REACH: f64 = 5.0;
+
+/// In a single face it is at most this many times that mean, so that no face is thrown across its neighbours.
+pub const ACCELERATION_REACH_OF_A_FACE: f64 = 4.0;
+
+/// Relative regularization of the normal equations of the acceleration, whose rows become nearly parallel.
+pub const ACCELERATION_REGULARIZATION: f64 = 1e-8;
+
+/// Steps at a metric that a film only passes on its way to the time of a frame; it has to settle there only.
+pub const STEPS_ON_THE_WAY: usize = 3;
+
+/// Steps between the frames of a film of the relaxation that does not say how many.
+pub const STEPS_PER_FRAME: usize = 2;
+
+/// Weights of bending that a frame of a smooth film is settled with first, the stiffest that fits. After the last of
+/// them comes the weight of the phase itself.
+pub const STIFFER_BENDING: [f64; 2] = [5e-3, 1e-3];
+
+/// L2 length error up to which lengths are kept well enough to stay that stiff.
+pub const STIFF_LENGTH_ERROR: f64 = 1e-3;
+
+/// Weight of bending that dents of a convex metric do not withstand.
+pub const IRONING_BENDING: f64 = 0.1;
+
+/// The depth from which on a dent of a convex metric is one, as a share of the radius of the round sphere of that area.
+pub const DENT_DEPTH: f64 = 0.01;
+
+/// How far a film may turn from one frame to the next toward the positions of its mesh, in degrees. Small turns cannot
+/// add up then, and nobody sees it turn.
+pub const LARGEST_TURN_DEGREES: f64 = 2.0;
+
+/// Room between components that nothing says the places of, as a share of their extents.
+pub const GAP_BETWEEN_COMPONENTS: f64 = 0.25;
+
+/// How much nearer to the mesh's positions, as a factor, a mirror image must be to be taken. A flat surface is as near as
+/// its mirror image.
+pub const NEARER_MIRROR_IMAGE: f64 = 0.999;
+
+/// Pinned lengths that differ from those of the metric by a smaller share are taken for equal: what is reached differs
+/// by more.
+pub const PINNED_LENGTH_TOLERANCE: f64 = 1e-3;
+
+/// Shortest paths between pins are looked for from so many of the pinned vertices, spread over all of them.
+pub const PINNED_PATH_SOURCES: usize = 16;
