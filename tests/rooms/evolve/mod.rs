@@ -1,0 +1,10 @@
+mod components;
+mod invariance;
+mod metric_film;
+mod orientation;
+mod paper_data;
+mod phases;
+mod relaxation;
+mod smoothness;
+mod threads;
+mod work_counts;

@@ -1,0 +1,11 @@
+mod compare_readers;
+mod faults;
+mod formats;
+mod numbering;
+mod polygons;
+mod readers;
+mod repair;
+mod saddle_polyhedron;
+mod selection;
+mod shapes;
+mod weld;

@@ -1,0 +1,5 @@
+mod cones;
+mod curvature_targets;
+mod program;
+mod ricci;
+mod slivers;
