@@ -6,6 +6,7 @@ mod discretization;
 mod error;
 mod follow;
 mod frame;
+mod immersion;
 mod pace;
 mod placement;
 mod program;
@@ -17,6 +18,7 @@ mod state;
 
 pub use error::{EvolveError, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
+pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use pace::{Pace, PaceError, Settling};
 pub use program::{AskedClass, Orientation, Program, Start};
 pub use progress::{Observer, Progress, Unobserved};

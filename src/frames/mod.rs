@@ -2,13 +2,15 @@
 
 mod connection_laplacian;
 mod energy;
+mod random_frames;
 mod shell;
-mod start;
+mod spectral_frames;
 mod step;
 mod system;
 
 pub use connection_laplacian::ConnectionLaplacian;
 pub use energy::{Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains};
+pub use random_frames::random_frames;
 pub use shell::{Hinge, Shell};
-pub use start::{random_frames, spectral_frames};
+pub use spectral_frames::spectral_frames;
 pub use step::{Method, StepOptions, Stepper};

@@ -4,11 +4,13 @@ mod alignment;
 mod bending;
 mod conformal_factor;
 mod convexity;
+mod crossings;
 mod curvature;
 mod deform;
 mod edge_vectors;
 mod fields;
 mod measure;
+mod periods;
 mod pins;
 mod poisson;
 mod polar;
@@ -21,12 +23,13 @@ pub use conformal_factor::ConformalFactor;
 pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
-pub use edge_vectors::{Periods, edge_vectors};
+pub use edge_vectors::edge_vectors;
 pub use fields::{FieldInput, FieldValues, Fields};
 pub use measure::{
     LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn,
     pinch_points, rims,
 };
+pub use periods::Periods;
 pub use pins::{PinError, PinGroup, Pins};
 pub use poisson::Poisson;
 pub use polar::{frames_of_edge_vectors, frames_of_positions};

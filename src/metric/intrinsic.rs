@@ -67,6 +67,15 @@ impl Metric {
         Ok(Metric { edge_lengths, corner_angles, face_areas, directions, dual_weights, primal_weights })
     }
 
+    /// Derives everything from a length for the numbers of the two ends of each edge.
+    ///
+    /// # Errors
+    /// As [`Metric::new`].
+    pub fn from_fn(mesh: &Mesh, mut length: impl FnMut(usize, usize) -> f64) -> Result<Metric, MetricError> {
+        let lengths = mesh.edges().map(|e| mesh.edge_vertices(e)).map(|[a, b]| length(a.index(), b.index()));
+        Metric::new(mesh, lengths.collect())
+    }
+
     /// Length of an edge.
     #[inline]
     pub fn length(&self, e: EdgeId) -> f64 {

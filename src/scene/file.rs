@@ -12,8 +12,8 @@ use super::sections::root;
 use super::source::Source;
 use super::table::Table;
 use super::text::decode;
-use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
-use crate::advice::Advice;
+use super::data::Scene;
+use super::error::{SceneError, SceneErrors};
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;
@@ -75,72 +75,6 @@ impl Scene {
     pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Scene, SceneErrors> {
         // A text that was read by other means may have its mark still.
         parse(text.trim_start_matches('\u{feff}'), name.to_owned(), folder, folder.join(format!("{name}.toml")))
-    }
-
-    /// The error of a later stage about what the file says at a dotted key, such as `mesh.radius` or
-    /// `phase[0].dt`; where the file leaves the key out, at the table it would stand in.
-    pub fn complain(&self, key: &str, reason: impl Into<String>, remedy: impl Into<String>) -> SceneError {
-        self.source.complain(key, reason.into(), remedy.into())
-    }
-
-    /// As [`Scene::complain`], of a message that ends with what to do, after its last semicolon.
-    pub fn complain_of(&self, key: &str, message: &str) -> SceneError {
-        let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
-        self.complain(key, reason, remedy)
-    }
-
-    /// The error of a later stage that knows its remedy, at a dotted key.
-    pub fn complain_about(&self, key: &str, error: &impl Advice) -> SceneError {
-        self.complain(key, error.reason(), error.remedy())
-    }
-
-    /// The surface of the scene.
-    ///
-    /// # Errors
-    /// At the key that is at fault.
-    pub fn surface(&self) -> Result<crate::mesh::Surface, SceneError> {
-        crate::mesh::of_scene(self)
-            .map_err(|e| self.complain_of(if e.is_of_file() { "mesh.file" } else { "mesh" }, &e.to_string()))
-    }
-
-    /// A path of the scene, seen from the working folder.
-    pub fn resolve(&self, path: &Path) -> PathBuf {
-        self.folder.join(path)
-    }
-
-    /// Identifies what is simulated: all sections that decide positions, and the bytes of the files they
-    /// name. Comments, camera, lights, look, output and checks do not count. A file that cannot be read
-    /// counts as empty; the mesh or metric that wants it says so.
-    pub fn simulation_fingerprint(&self) -> u32 {
-        let sections = (&self.mesh, &self.parameters, &self.metric, &self.spin, &self.start, &self.phases);
-        let relaxation = &self.relaxation;
-        let more = (&self.bending, &self.pins, &self.clock);
-        let mut hasher = crc32fast::Hasher::new();
-        hasher.update(format!("{sections:?}{more:?}{relaxation:?}").as_bytes());
-        self.weld.iter().for_each(|weld| hasher.update(format!("{weld:?}").as_bytes()));
-        for path in self.files() {
-            hasher.update(&std::fs::read(self.resolve(path)).unwrap_or_default());
-        }
-        hasher.finalize()
-    }
-
-    /// The files that the scene names.
-    fn files(&self) -> impl Iterator<Item = &PathBuf> {
-        let keys = self.metric.keys.iter().map(|key| &key.lengths);
-        let lengths = std::iter::once(&self.metric.lengths).chain(keys).filter_map(|source| match source {
-            LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
-            _ => None,
-        });
-        let cones = self.metric.changes.iter().filter_map(|change| match &change.kind {
-            ChangeKind::Ricci(ricci) => ricci.csv.as_ref(),
-            ChangeKind::Conformal { .. } => None,
-        });
-        let start = if let StartFrom::File(path) = &self.start.from { Some(path) } else { None };
-        let bending = self.bending.as_ref().and_then(|bending| match &bending.from {
-            Some(BendingFrom::File(path)) => Some(path),
-            _ => None,
-        });
-        self.mesh.file().into_iter().chain(lengths).chain(cones).chain(start).chain(bending)
     }
 }
 

@@ -11,9 +11,11 @@
 //! ```
 
 mod build;
+mod complaints;
 mod data;
 mod error;
 mod file;
+mod fingerprint;
 mod foreign;
 mod look_section;
 mod metric_section;

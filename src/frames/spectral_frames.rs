@@ -1,33 +1,11 @@
-//! Frames to start from.
+//! Frames to start from that are the lowest modes of the connection Laplacian.
 
+use super::energy::strains;
+use super::random_frames::random_frames;
+use super::shell::Shell;
 use super::system::{self, State, System};
-use super::{Shell, strains};
 use crate::algebra::{BlockVector, Complex, ConjugateGradient, IncompleteCholesky, quaternion};
 use glam::{DMat4, DQuat, DVec4};
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
-
-/// Independent frames, uniform on the unit sphere of the quaternions, the same for the same seed everywhere.
-pub fn random_frames(count: usize, seed: u64) -> Vec<DQuat> {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    // Marsaglia's method: two points in the unit disk give a point on the 3-sphere.
-    let mut disk_point = move || loop {
-        let mut coordinate = || (rng.next_u64() >> 11) as f64 / (1u64 << 52) as f64 - 1.0;
-        let (x, y) = (coordinate(), coordinate());
-        let s = x * x + y * y;
-        if s < 1.0 && s > 0.0 {
-            return (x, y, s);
-        }
-    };
-    (0..count)
-        .map(|_| {
-            let (x, y, s) = disk_point();
-            let (u, v, t) = disk_point();
-            let scale = ((1.0 - s) / t).sqrt();
-            DQuat::from_xyzw(x, y, u * scale, v * scale)
-        })
-        .collect()
-}
 
 /// The two lowest modes a, b of the connection Laplacian (Eq. 12) as λ = a + b j, made unit in every face.
 ///
