@@ -33,7 +33,7 @@ fn measure(words: &[String]) -> Result<Value, Box<dyn Error>> {
         "problem" => {
             let simulation = Simulation::from_scene(&scenes::scene(surface)?)?;
             step::write_problem(&simulation, folder.ok_or("say folder=DIR")?)?;
-            json!({ "faces": simulation.mesh.face_count() })
+            json!({ "faces": simulation.mesh().face_count() })
         }
         "triad" => triad::run(),
         other => return Err(format!("there is no measurement `{other}`").into()),

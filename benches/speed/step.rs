@@ -19,7 +19,7 @@ const TOLERANCES: [f64; 2] = [1e-3, 1.0];
 /// Writes what `paper_method.py` reads: triangles |F| × 3, the halfedges 3 f + k on the two sides of each edge (the second
 /// −1 on the boundary), edge lengths |E|, transports |E| × 2 (real, imaginary), frames |F| × 4 (w, x, y, z).
 pub fn write_problem(simulation: &Simulation, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let mesh = &simulation.mesh;
+    let mesh = simulation.mesh();
     let (faces, edges) = (mesh.face_count(), mesh.edge_count());
     fs::create_dir_all(folder)?;
     npy::integers(folder, "triangles", &[faces, 3], mesh.triangles().into_iter().flatten().map(i64::from))?;
@@ -28,7 +28,7 @@ pub fn write_problem(simulation: &Simulation, folder: &Path) -> Result<(), Box<d
         [named.index() as i64, mesh.twin(named).map_or(-1, |twin| twin.index() as i64)]
     });
     npy::integers(folder, "edge_sides", &[edges, 2], sides)?;
-    npy::doubles(folder, "edge_lengths", &[edges], simulation.metric.edge_lengths().iter().copied())?;
+    npy::doubles(folder, "edge_lengths", &[edges], simulation.metric().edge_lengths().iter().copied())?;
     let spin = simulation.spin();
     let transports = spin.transports().iter().flat_map(|tau| [tau.re, tau.im]);
     npy::doubles(folder, "transports", &[edges, 2], transports)?;
@@ -54,7 +54,7 @@ pub const BYTES_PER_ITERATION: f64 = {
 /// and the frames of each state there.
 pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, Box<dyn Error>> {
     let simulation = Simulation::from_scene(&scene(name)?)?;
-    let shell = Shell::new(&simulation.mesh, &simulation.metric, &simulation.spin(), None);
+    let shell = Shell::new(simulation.mesh(), simulation.metric(), &simulation.spin(), None);
     if let Some(folder) = folder {
         write_problem(&simulation, folder)?;
     }

@@ -47,7 +47,7 @@ pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> R
     let scene = scene(name)?;
     let surface = immerse::mesh::from_scene(&scene.mesh, &scene.folder)?;
     let begin = Instant::now();
-    let mut simulation = Simulation::new(&scene, surface)?;
+    let mut simulation = scene.simulation_of(surface)?;
     let setup = begin.elapsed().as_secs_f64();
     if let Some(steps) = steps_per_phase {
         simulation.change_phases(|phases| {
@@ -65,7 +65,7 @@ pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> R
         match simulation.relax(cut, &mut tally) {
             Ok(frame) => break frame,
             Err(EvolveError::Stopped { .. }) => {
-                let frame = simulation.relax(Some(0), &mut tally)?;
+                let frame = simulation.advance(0, &mut tally)?;
                 if frame.report.rims == 0 && frame.report.pinch_points == 0 {
                     break frame;
                 }
@@ -82,7 +82,7 @@ pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> R
         .map(|p| json!({ "steps": p.steps, "inner_iterations": p.inner_iterations, "seconds": p.seconds }))
         .collect();
     Ok(json!({
-        "faces": simulation.mesh.face_count(),
+        "faces": simulation.mesh().face_count(),
         "seconds": seconds,
         "setup_seconds": setup,
         "other_seconds": seconds - setup - in_phases,

@@ -97,9 +97,9 @@ fn a_pinched_surface_has_no_class() {
     // Two steps from random frames leave pinch points.
     let scene =
         scene("[mesh]\nshape = 'flat_torus'\ncolumns = 16\nrows = 14\n[[phase]]\nmin_steps = 1\nmax_steps = 1\n");
-    let mut simulation = Simulation::from_scene(&scene).unwrap();
-    let frame = simulation.relax(Some(1), &mut Unobserved).unwrap();
-    assert!(frame.report.pinch_points > 0 && !pinch_points(&simulation.mesh, &frame.positions).is_empty());
+    let mut simulation = scene.simulation().unwrap();
+    let frame = simulation.advance(1, &mut Unobserved).unwrap();
+    assert!(frame.report.pinch_points > 0 && !pinch_points(simulation.mesh(), &frame.positions).is_empty());
     assert_eq!(frame.report.spin_class, "—");
     assert_eq!(NO_CLASS, "—");
     let good = FrameReport { frame: 1, spin_class: "00".into(), ..FrameReport::default() };
@@ -141,7 +141,7 @@ fn check_says_whether_start_and_target_are_in_one_class() {
     let mirror = check(&format!("{torus}[start]\nfrom = 'mirror'\n"));
     assert!(mirror.contains("start and target are in one class"), "q is that of the mirror image, too: {mirror}");
     let scene = scene(&format!("{torus}[start]\nfrom = 'mesh'\n"));
-    let simulation = Simulation::from_scene(&scene).unwrap();
+    let simulation = scene.simulation().unwrap();
     let own = simulation.class_of_start().unwrap().unwrap();
     for digits in ["00", "01", "10", "11"] {
         let text = check(&format!("{torus}[start]\nfrom = 'mesh'\n[spin]\nclass = '{digits}'\n"));

@@ -17,7 +17,7 @@ fn all_scenes_are_valid() {
         let text = fs::read_to_string(path).expect("a text");
         assert!(text.starts_with("# "), "{name} does not say what it shows");
         let scene = Scene::read(path).unwrap_or_else(|mistakes| panic!("{mistakes}"));
-        match Simulation::from_scene(&scene) {
+        match scene.simulation() {
             Ok(mut simulation) => simulation.check_all_times().unwrap_or_else(|error| panic!("{name}: {error}")),
             // The user brings the mesh.
             Err(SetupError::Mesh(error)) => {

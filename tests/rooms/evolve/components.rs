@@ -23,7 +23,7 @@ fn together(parts: &[(&Surface, f64, DVec3)]) -> Surface {
 
 fn relaxed(surface: &Surface, text: &str) -> (Simulation, Frame) {
     let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     (simulation, frame)
 }
 
@@ -51,7 +51,7 @@ fn a_small_torus_beside_a_large_one_ends_as_it_does_alone() {
     assert_eq!(report.components.len(), 2);
     assert!(frame_alone.report.components.is_empty(), "one component needs no list");
     for component in &report.components {
-        assert_eq!(component.faces, alone.mesh.face_count());
+        assert_eq!(component.faces, alone.mesh().face_count());
         assert_eq!(component.cursor, frame_alone.report.cursor);
         assert!((component.l2_length_error / frame_alone.report.l2_length_error - 1.0).abs() < 1e-6);
     }
@@ -133,7 +133,7 @@ fn a_film_of_several_components_resumes() {
                 frame: number,
                 frames: whole.face_frames(),
                 spin: whole.spin(),
-                edge_lengths: whole.metric.edge_lengths().to_vec(),
+                edge_lengths: whole.metric().edge_lengths().to_vec(),
                 positions: frame.positions.clone(),
                 rims: frame.rims.clone(),
                 cursors: frame.report.cursors(),

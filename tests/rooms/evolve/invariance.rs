@@ -204,7 +204,7 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
 /// A few steps of all kinds from the given map.
 fn relax(surface: &Surface) -> Frame {
     let scene = scene("[spin]\nclass = 'immersion'\n[start]\nfrom = 'mesh'");
-    let mut simulation = Simulation::new(&scene, surface.clone()).expect("a simulation");
+    let mut simulation = scene.simulation_of(surface.clone()).expect("a simulation");
     let mut phases = default_phases(surface.mesh.face_count());
     phases.truncate(4);
     for (k, phase) in phases.iter_mut().enumerate() {
@@ -213,7 +213,7 @@ fn relax(surface: &Surface) -> Frame {
         *phase = Phase { step, min_steps: 3, max_steps: 3, tolerance_radians: 1e-20, accelerate, ..*phase };
     }
     simulation.change_phases(|own| own.clone_from(&phases));
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert_eq!(frame.report.cursor.steps, 12);
     frame
 }

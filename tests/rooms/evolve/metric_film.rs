@@ -26,16 +26,16 @@ fn film(text: &str) -> (Simulation, Vec<Frame>) {
     let mut simulation = simulation(text);
     let count = scene(text).clock.frames;
     let (mut frames, mut lengths): (Vec<Frame>, Vec<f64>) = (Vec::new(), Vec::new());
-    let class = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
+    let class = simulation.spin().class(simulation.mesh(), simulation.metric(), simulation.homology());
     for number in 1..=count {
         let frame = simulation.next_frame(&mut Unobserved).expect("a frame");
         assert_eq!(frame.report.frame, number);
-        let now = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
+        let now = simulation.spin().class(simulation.mesh(), simulation.metric(), simulation.homology());
         assert_eq!(now, class, "frame {number} is of another class");
-        assert_eq!(simulation.spin().figure_8_vertices(&simulation.mesh, &simulation.metric), [] as [usize; 0]);
+        assert_eq!(simulation.spin().figure_8_vertices(simulation.mesh(), simulation.metric()), [] as [usize; 0]);
         assert_eq!(frame.report.rims, frame.rims.len());
         assert_report(&simulation, frames.last(), &frame, &lengths);
-        lengths = simulation.metric.edge_lengths().to_vec();
+        lengths = simulation.metric().edge_lengths().to_vec();
         frames.push(frame);
     }
     (simulation, frames)
@@ -52,15 +52,15 @@ fn assert_report(simulation: &Simulation, before: Option<&Frame>, after: &Frame,
     let mut moves = moves(before, after);
     moves.sort_by(f64::total_cmp);
     assert_eq!((report.max_move, report.median_move), (moves[moves.len() - 1], moves[moves.len() / 2]));
-    let stretch = lengths_before.iter().zip(simulation.metric.edge_lengths()).map(|(a, b)| (b.ln() - a.ln()).abs());
+    let stretch = lengths_before.iter().zip(simulation.metric().edge_lengths()).map(|(a, b)| (b.ln() - a.ln()).abs());
     assert!((stretch.fold(0.0, f64::max) - report.strain).abs() < 1e-12);
 
     let gone: Vec<&EdgeId> = before.rims.iter().filter(|e| !after.rims.contains(e)).collect();
     let new: Vec<&EdgeId> = after.rims.iter().filter(|e| !before.rims.contains(e)).collect();
     assert_eq!((new.len(), gone.len()), (report.rims_born + report.rims_moved, report.rims_died + report.rims_moved));
     let touch = |a: &EdgeId, b: &EdgeId| {
-        let ends = simulation.mesh.edge_vertices(*a);
-        simulation.mesh.edge_vertices(*b).iter().any(|v| ends.contains(v))
+        let ends = simulation.mesh().edge_vertices(*a);
+        simulation.mesh().edge_vertices(*b).iter().any(|v| ends.contains(v))
     };
     let could_have_moved = new.iter().filter(|e| gone.iter().any(|g| touch(e, g))).count();
     assert!(report.rims_moved <= could_have_moved && (report.rims_moved > 0) == (could_have_moved > 0));
@@ -91,7 +91,7 @@ fn a_torus_flows_to_a_flat_metric() {
     }
     assert!(reports[0].mean_distance.is_some_and(|d| d < 0.01), "{:?}", reports[0].mean_distance);
     assert!(reports[1..].iter().all(|r| r.strain > 1e-3 && r.max_move > r.median_move && r.median_move > 0.0));
-    assert_eq!(simulation.metric.edge_lengths().len(), simulation.mesh.edge_count());
+    assert_eq!(simulation.metric().edge_lengths().len(), simulation.mesh().edge_count());
 }
 
 /// A metric that only grows moves no frame: the surface grows about its centre, and nothing turns.
@@ -151,7 +151,7 @@ fn pins_are_where_the_scene_leads_them() {
         assert!(frame.positions.iter().all(|p| p.is_finite()));
     }
     assert!(frames[0].report.l2_length_error < 1e-3);
-    assert_eq!(simulation.mesh.vertex_count(), rest.len());
+    assert_eq!(simulation.mesh().vertex_count(), rest.len());
 }
 
 /// With every vertex pinned the surface moves as one body.
@@ -239,7 +239,7 @@ fn all_classes_in_binary_order() {
         assert!(same.positions == frame.positions && alone.face_frames() == all.face_frames(), "{expected}");
     }
     let one_too_many = scene(&text.replace("frames = 4", "frames = 5"));
-    let error = Simulation::from_scene(&one_too_many).expect_err("five of four classes");
+    let error = one_too_many.simulation().expect_err("five of four classes");
     assert_eq!((error.key(), error.to_string().contains("5 frames")), ("clock.frames", true), "{error}");
 }
 
@@ -263,14 +263,14 @@ fn steps_adapt_to_the_turn() {
              dt = 1\nfeedback = 0.5\naccelerate = false\nturn = {target}\ntolerance = 0.01\nmax_steps = 61\n"
         );
         let mut steps = Steps::default();
-        let frame = simulation(&text).relax(Some(60), &mut steps).expect("a frame");
+        let frame = simulation(&text).advance(60, &mut steps).expect("a frame");
         // Random frames turn a lot whatever the step; after that the target is met.
         let turns: Vec<f64> = steps.0.iter().map(|step| step.turn).collect();
         assert!(turns[0] > 30.0 && turns[25..].iter().all(|turn| (turn / target - 1.0).abs() < 0.15), "{turns:?}");
         let mean = turns[25..].iter().sum::<f64>() / 35.0;
         assert!((mean / target - 1.0).abs() < 0.05, "{mean} instead of {target}");
         lengths.push(frame.report.cursor.dt);
-        let fixed = simulation(&text.replace("turn =", "# turn =")).relax(Some(60), &mut Unobserved).expect("a frame");
+        let fixed = simulation(&text.replace("turn =", "# turn =")).advance(60, &mut Unobserved).expect("a frame");
         assert_eq!(fixed.report.cursor.dt, 0.0, "steps of the length that the phase says");
     }
     assert!(lengths[0] > 0.0 && lengths[1] > lengths[0], "who turns more takes longer steps: {lengths:?}");
@@ -294,7 +294,7 @@ fn assert_resumes(text: &str) {
             frame: number,
             frames: whole.face_frames(),
             spin: whole.spin(),
-            edge_lengths: whole.metric.edge_lengths().to_vec(),
+            edge_lengths: whole.metric().edge_lengths().to_vec(),
             positions: frame.positions,
             rims: frame.rims,
             cursors: frame.report.cursors(),

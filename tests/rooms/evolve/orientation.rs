@@ -9,7 +9,7 @@ use immerse::metric::lengths_of_positions;
 
 fn relaxed(surface: &Surface, text: &str) -> Frame {
     let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    simulation.relax(None, &mut Unobserved).expect("a frame")
+    simulation.relax(&mut Unobserved).expect("a frame")
 }
 
 /// Knows lengths alone.
@@ -122,7 +122,7 @@ fn turned_frames_are_frames_of_the_mirror_image() {
     let surface = bare(spheroid());
     let run = |text: &str| {
         let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-        let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+        let frame = simulation.relax(&mut Unobserved).expect("a frame");
         (simulation.face_frames(), frame)
     };
     let turned = (0..10).map(|seed| (seed, run(&format!("[start]\nrandom = {seed}"))));

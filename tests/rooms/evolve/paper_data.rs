@@ -29,7 +29,7 @@ fn relaxed(name: &str, rest: &str) -> Option<FrameReport> {
     let path = paper_mesh(name)?;
     let text = format!("[mesh]\nfile = '{}'\n[start]\nrandom = 0\n{rest}", path.display());
     let mut simulation = Simulation::from_scene(&crate::support::scene(&text)).expect("a simulation");
-    let report = simulation.relax(None, &mut Unobserved).expect("a frame").report;
+    let report = simulation.relax(&mut Unobserved).expect("a frame").report;
     let _ = writeln!(
         std::io::stderr(),
         "{name} {}: {:.3} % in {} steps, {} rims",
@@ -73,7 +73,7 @@ fn bunny_eversion() {
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/bunny_eversion.toml");
     let mut scene = Scene::read(&scene).expect("a scene");
     scene.mesh = MeshSection::File(std::path::absolute(path).expect("a path"));
-    let mut simulation = Simulation::from_scene(&scene).expect("a simulation");
+    let mut simulation = scene.simulation().expect("a simulation");
     let film: Vec<FrameReport> =
         (0..scene.clock.frames).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame").report).collect();
     for check in checks_of(&scene.checks, &film) {

@@ -124,8 +124,8 @@ fn asking_for_more_bending_keeps_random_starts_relaxing() {
         for (stiffness, accuracy) in [(0.001, 0.02), (0.01, 0.08)] {
             let scene =
                 scene(&format!("[mesh]\n{mesh}\n[start]\nrandom = 1\n[bending]\nbending_stiffness = {stiffness}\n"));
-            let mut simulation = Simulation::from_scene(&scene).unwrap();
-            let report = simulation.relax(None, &mut Unobserved).unwrap().report;
+            let mut simulation = scene.simulation().unwrap();
+            let report = simulation.relax(&mut Unobserved).unwrap().report;
             let what = format!("{mesh} with {stiffness}: {:.4}", report.l2_length_error);
             assert_eq!((report.rims, report.pinch_points, report.cursor.restarts), (0, 0, 0), "{what}");
             assert!(report.l2_length_error < accuracy, "{what}");
@@ -142,9 +142,9 @@ fn target_angles_are_reached_better_with_more_stiffness() {
              {stiffness}\n[[bending.region]]\nbox = [[-2, -1e-6, -1], [2, 1e-6, 1]]\nangle = 40\n{clock}"
         );
         let scene = scene(&text);
-        let mut simulation = Simulation::from_scene(&scene).unwrap();
+        let mut simulation = scene.simulation().unwrap();
         let places = simulation.mesh_places.clone().unwrap();
-        let mesh = simulation.mesh.clone();
+        let mesh = simulation.mesh().clone();
         let is_on_crease = |v: &VertexId| places[v.index()].y.abs() < 1e-6;
         let crease: Vec<usize> =
             mesh.edges().filter(|&e| mesh.edge_vertices(e).iter().all(is_on_crease)).map(|e| e.index()).collect();

@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 /// All phases of the scene, to the end.
 fn relaxed(text: &str) -> (Simulation, Frame) {
     let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     (simulation, frame)
 }
 
@@ -28,12 +28,12 @@ fn assert_good(text: &str, (simulation, frame): &(Simulation, Frame), limit: f64
     );
     assert!(report.l2_length_error <= limit, "{text}: {}", report.l2_length_error);
     assert_eq!((report.rims, report.pinch_points), (0, 0), "{text}");
-    assert!(pinch_points(&simulation.mesh, &frame.positions).is_empty());
+    assert!(pinch_points(simulation.mesh(), &frame.positions).is_empty());
     let measure = |positions: &[DVec3]| {
-        let generators = simulation.homology.generators().iter();
-        class_digits(&generators.map(|g| is_figure_8(&simulation.mesh, positions, &g.strip)).collect::<Vec<_>>())
+        let generators = simulation.homology().generators().iter();
+        class_digits(&generators.map(|g| is_figure_8(simulation.mesh(), positions, &g.strip)).collect::<Vec<_>>())
     };
-    let asked = simulation.spin().class(&simulation.mesh, &simulation.metric, &simulation.homology);
+    let asked = simulation.spin().class(simulation.mesh(), simulation.metric(), simulation.homology());
     assert_eq!(measure(&frame.positions), class_digits(&asked), "{text}");
     assert_eq!(report.spin_class, class_digits(&asked));
 }
@@ -93,7 +93,7 @@ fn components_are_independent() {
     let all: Vec<DVec3> = positions.iter().copied().chain(beside).collect();
     let pair = embedded(Mesh::from_faces(all.len(), &faces).expect("two spheres"), all);
     let mut simulation = Simulation::new(&scene(""), pair).expect("a simulation");
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert_eq!((frame.report.rims, frame.report.pinch_points), (0, 0));
     assert!(frame.report.l2_length_error < 1e-3, "{}", frame.report.l2_length_error);
     for (part, radius, x) in [(&frame.positions[..n], 1.0, 0.0), (&frame.positions[n..], 0.5, 3.0)] {
@@ -113,11 +113,11 @@ fn components_are_independent() {
 fn spectral_start_is_the_round_sphere() {
     let text = "[mesh]\nshape = 'sphere'\nsubdivisions = 8\n[start]\nfrom = 'spectral'";
     let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
-    let start = simulation.relax(Some(0), &mut Unobserved).expect("a frame");
+    let start = simulation.advance(0, &mut Unobserved).expect("a frame");
     eprintln!("spectral start: {}", start.report.l2_length_error);
     assert!(start.report.l2_length_error < 1e-3, "{}", start.report.l2_length_error);
     assert_eq!((start.report.rims, start.report.cursor.steps), (0, 0));
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert!(frame.report.converged && frame.report.l2_length_error < 1e-3, "{:?}", frame.report);
     assert!(frame.report.cursor.steps < 25, "{} steps", frame.report.cursor.steps);
 }
@@ -141,7 +141,7 @@ fn printed_methods_find_the_sphere() {
         };
         let two = [phase([1.0; 4], 0.0, 600), phase([1.0, 0.01, 1.0, 0.1], 0.5, 600)];
         simulation.change_phases(|phases| *phases = two.to_vec());
-        let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+        let frame = simulation.relax(&mut Unobserved).expect("a frame");
         let report = &frame.report;
         eprintln!("{method:?}: {} steps, {}", report.cursor.steps, report.l2_length_error);
         assert!(report.converged && report.l2_length_error < 0.01, "{method:?}: {report:?}");
@@ -195,11 +195,11 @@ fn ball() -> Surface {
 fn an_observer_can_stop() {
     let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
     let mut observer = Stop { after: 5, seen: Vec::new() };
-    let error = simulation.relax(None, &mut observer).expect_err("stopped");
+    let error = simulation.relax(&mut observer).expect_err("stopped");
     assert_eq!(error, EvolveError::Stopped { steps: 5 });
     assert_eq!(observer.seen.iter().map(|p| p.step).collect::<Vec<_>>(), [1, 2, 3, 4, 5]);
     // And what was stopped can go on.
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert!(frame.report.l2_length_error < 0.01 && frame.report.converged);
 }
 
@@ -207,7 +207,7 @@ fn an_observer_can_stop() {
 fn steps_are_counted_and_phases_end_when_frames_stand_still() {
     let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
-    let frame = simulation.relax(None, &mut observer).expect("a frame");
+    let frame = simulation.relax(&mut observer).expect("a frame");
     assert_eq!(frame.report.cursor.steps, observer.seen.len());
     assert_eq!(frame.report.cursor.phase, simulation.phases().len());
     for now in &observer.seen {
@@ -217,7 +217,7 @@ fn steps_are_counted_and_phases_end_when_frames_stand_still() {
     let settled = observer.seen.iter().filter(|now| now.settled).count();
     assert_eq!(settled, simulation.phases().len(), "every phase settles on so small a mesh");
     // Nothing more happens after the end.
-    let again = simulation.relax(Some(7), &mut Unobserved).expect("a frame");
+    let again = simulation.advance(7, &mut Unobserved).expect("a frame");
     assert_eq!(again.report.cursor, frame.report.cursor);
     assert!((again.report.l2_length_error - frame.report.l2_length_error).abs() < 1e-12);
     assert!(distance_up_to_rigid_motion(&again.positions, &frame.positions) < 1e-12);
@@ -229,7 +229,7 @@ fn too_few_steps_are_reported() {
     let hurry = |phase: &mut Phase| (phase.max_steps, phase.tolerance_radians) = (2, 1e-9);
     simulation.change_phases(|phases| phases.iter_mut().for_each(hurry));
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
-    let frame = simulation.relax(None, &mut observer).expect("a frame");
+    let frame = simulation.relax(&mut observer).expect("a frame");
     assert!(!frame.report.converged);
     assert_eq!(observer.seen.len(), 2 * simulation.phases().len());
     assert!(observer.seen.iter().all(|now| !now.settled));
@@ -243,12 +243,12 @@ fn steps_can_be_taken_in_pieces() {
         simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.accelerate = false));
         simulation
     };
-    let whole = start().relax(Some(12), &mut Unobserved).expect("a frame");
+    let whole = start().advance(12, &mut Unobserved).expect("a frame");
     let mut pieces = start();
     for steps in [1, 0, 4] {
-        pieces.relax(Some(steps), &mut Unobserved).expect("a frame");
+        pieces.advance(steps, &mut Unobserved).expect("a frame");
     }
-    let now = pieces.relax(Some(0), &mut Unobserved).expect("a frame");
+    let now = pieces.advance(0, &mut Unobserved).expect("a frame");
     let mut resumed = start();
     let checkpoint = Checkpoint {
         frame: 1,
@@ -260,7 +260,7 @@ fn steps_can_be_taken_in_pieces() {
         cursors: now.report.cursors(),
     };
     resumed.resume(checkpoint).expect("a metric");
-    let last = resumed.relax(Some(7), &mut Unobserved).expect("a frame");
+    let last = resumed.advance(7, &mut Unobserved).expect("a frame");
     // Every piece is laid upon the reference, which rounds, and steps are solved for in single precision.
     let turn = 0.0;
     assert_eq!(Cursor { turn, ..last.report.cursor }, Cursor { turn, ..whole.report.cursor });
@@ -275,7 +275,7 @@ fn steps_can_be_taken_in_pieces() {
 fn divergence_is_an_error() {
     let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
     simulation.change_phases(|phases| (phases[0].step.method, phases[0].step.dt) = (Method::Gradient, 1e200));
-    let outcome = simulation.relax(Some(20), &mut Unobserved);
+    let outcome = simulation.advance(20, &mut Unobserved);
     if let Err(error) = &outcome {
         assert!(matches!(error, EvolveError::Diverged { phase: 0, .. }));
         assert!(error.to_string().contains("lower `dt` of that phase"));

@@ -26,7 +26,7 @@ const FLOW: &str = "[start]\nfrom = 'mesh'\n[clock]\nframes = 12\n[[metric.chang
 
 fn film(surface: &Surface, text: &str) -> Vec<Frame> {
     let scene = scene(text);
-    let mut simulation = Simulation::new(&scene, surface.clone()).expect("a simulation");
+    let mut simulation = scene.simulation_of(surface.clone()).expect("a simulation");
     (0..scene.clock.frames).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame")).collect()
 }
 

@@ -19,10 +19,10 @@ fn in_memory() {
     for text in SCENES {
         let relax = || {
             let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
-            assert!(simulation.mesh.face_count() > 4096, "sums must be in more than one piece");
+            assert!(simulation.mesh().face_count() > 4096, "sums must be in more than one piece");
             // A few steps of the first phase, and a few that are accelerated.
             simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.max_steps = 4));
-            let frame = simulation.relax(Some(18), &mut Unobserved).expect("a frame");
+            let frame = simulation.advance(18, &mut Unobserved).expect("a frame");
             let bits = |x: f64| x.to_bits();
             let positions: Vec<_> = frame.positions.iter().map(|p| p.to_array().map(bits)).collect();
             let frames: Vec<_> = simulation.face_frames().iter().map(|q| q.to_array().map(bits)).collect();

@@ -38,9 +38,9 @@ impl Observer for Tally {
 /// Fails if a relaxation takes more than what is recorded, and says what it takes now.
 fn assert_no_more_than(recorded: &Recorded) {
     let scene = Scene::parse(recorded.scene, "counted", "".as_ref()).unwrap();
-    let mut simulation = Simulation::from_scene(&scene).unwrap();
+    let mut simulation = scene.simulation().unwrap();
     let mut tally = Tally::default();
-    let report = simulation.relax(None, &mut tally).unwrap().report;
+    let report = simulation.relax(&mut tally).unwrap().report;
     let steps: usize = tally.steps.iter().sum();
     let inner_iterations: usize = tally.inner_iterations.iter().sum();
     let now = format!(
@@ -49,7 +49,7 @@ fn assert_no_more_than(recorded: &Recorded) {
         report.l2_length_error,
         tally.steps,
         tally.inner_iterations,
-        simulation.mesh.face_count(),
+        simulation.mesh().face_count(),
         report.cursor.restarts,
     );
     println!("{now}");

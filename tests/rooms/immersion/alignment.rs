@@ -113,7 +113,7 @@ fn values_that_are_not_numbers_do_no_harm() {
 #[test]
 fn a_relaxed_surface_lies_upon_the_mesh_unless_pins_hold_it_elsewhere() {
     let (surface, reference) = egg();
-    let at = |scene: &Scene| Simulation::new(scene, surface.clone()).unwrap().relax(Some(0), &mut Unobserved).unwrap();
+    let at = |scene: &Scene| Simulation::new(scene, surface.clone()).unwrap().advance(0, &mut Unobserved).unwrap();
     let mut scene = Scene { start: StartFrom::Mesh.into(), ..Scene::default() };
     assert!(distance(&at(&scene).positions, &reference) < 1e-9);
     let elsewhere = DVec3::new(5.0, 6.0, 7.0);
@@ -128,7 +128,7 @@ fn a_relaxed_surface_lies_upon_the_mesh_unless_pins_hold_it_elsewhere() {
     scene.pins.clear();
     scene.start = StartFrom::Random(0).into();
     scene.metric.lengths = LengthSource::Formula("1.001 * length".into());
-    let frame = Simulation::new(&scene, surface.clone()).unwrap().relax(None, &mut Unobserved).unwrap();
+    let frame = scene.simulation_of(surface.clone()).unwrap().relax(&mut Unobserved).unwrap();
     let mesh = &surface.mesh;
     let weights = Metric::new(mesh, lengths_of_positions(mesh, &reference)).unwrap().vertex_areas(mesh);
     let again = RigidMotion::to_principal_axes(&frame.positions, &weights);

@@ -67,7 +67,7 @@ fn an_edge_is_named_as_in_the_file() {
     fs::write(folder.path().join("m.obj"), "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 2 3 4 5\n").expect("a file");
     let text = "[mesh]\nfile = 'm.obj'\n[[pin]]\nvertices = [3, 4]\npositions = [[0, 0, 0], [0, 0, 1.5]]\n";
     let scene = Scene::parse(text, "film", folder.path()).expect("a scene");
-    let found = Simulation::from_scene(&scene).expect("a simulation").pin_contradictions().expect("an answer");
+    let found = scene.simulation().expect("a simulation").pin_contradictions().expect("an answer");
     assert!(found.len() == 1 && found[0].contains("between vertices [3, 4] with 1.5 instead of 1"), "{found:?}");
 }
 

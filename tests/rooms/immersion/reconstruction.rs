@@ -67,7 +67,7 @@ fn find(surface: &Surface, text: &str, perturbation: f64, phases: &[Phase]) -> F
         *frame = (*frame * DQuat::from_xyzw(v.x, v.y, v.z, 1.0)).normalize();
     }
     simulation.set_face_frames(&frames);
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert!(frame.report.converged, "{:?}", frame.report);
     let target = surface.positions.as_deref().expect("positions");
     Found {
@@ -120,7 +120,7 @@ fn mirror_image() {
     mirrored.positions.iter_mut().flatten().for_each(|p| p.x = -p.x);
     let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
     simulation.change_phases(|phases| *phases = vec![to_the_end(Method::Newton, 1e6, 30)]);
-    let frame = simulation.relax(None, &mut Unobserved).expect("a frame");
+    let frame = simulation.relax(&mut Unobserved).expect("a frame");
     let target = mirrored.positions.expect("positions");
     assert!(distance_up_to_rigid_motion(&target, &frame.positions) < 1e-8 * diameter(&target));
     let original = surface.positions.expect("positions");
@@ -138,7 +138,7 @@ fn pins() {
 
     let text = "[start]\nfrom = 'mesh'\n[[pin]]\nvertices = [3, 1]\npositions = [[0, 0, 5], [1, 2, -3]]";
     let mut simulation = Simulation::new(&scene(text), surface).expect("a simulation");
-    let frame = simulation.relax(Some(3), &mut Unobserved).expect("a frame");
+    let frame = simulation.advance(3, &mut Unobserved).expect("a frame");
     assert!(frame.positions[3].distance(DVec3::new(0.0, 0.0, 5.0)) < 1e-12);
     assert!(frame.positions[1].distance(DVec3::new(1.0, 2.0, -3.0)) < 1e-12);
     assert!(frame.positions[0].is_finite());

@@ -115,10 +115,10 @@ fn cones_pins_and_angles_of_a_scene() {
     let text = "[mesh]\nfile = 'mesh.obj'\n[[metric.change]]\nkind = 'ricci'\ncsv = 'cones.csv'\namount = 1\n\
                 [[pin]]\nvertices = [7]\npositions = [[0, 0, 3]]\n[[bending.region]]\nedges = [[7, 4]]\nangle = 20\n";
     let scene = Scene::parse(text, "film", at).expect("a scene");
-    let simulation = Simulation::from_scene(&scene).expect("a simulation");
+    let simulation = scene.simulation().expect("a simulation");
     for (number, degrees) in [(7, 150.0), (9, 150.0), (1, 105.0), (6, 105.0)] {
-        let v = simulation.mesh.vertex_of_file(number).expect("a vertex");
-        let found = simulation.metric.curvature(&simulation.mesh, v).to_degrees();
+        let v = simulation.mesh().vertex_of_file(number).expect("a vertex");
+        let found = simulation.metric().curvature(simulation.mesh(), v).to_degrees();
         assert!(
             (found - degrees).abs() < 15.0 && (degrees != 150.0 || (found - degrees).abs() < 1e-8),
             "{number}: {found}"

@@ -124,8 +124,8 @@ fn a_negative_cone_on_an_even_sphere() {
             let text = format!("{EVEN}{RICCI}csv = 'c.csv'\namount = 1\n");
             let scene = Scene::parse(&text, "cone", folder.path()).expect("a scene");
             let simulation =
-                Simulation::from_scene(&scene).unwrap_or_else(|error| panic!("{vertex} {degrees}: {error}"));
-            let curvature = |v: usize| simulation.metric.curvature(&simulation.mesh, VertexId::new(v)).to_degrees();
+                scene.simulation().unwrap_or_else(|error| panic!("{vertex} {degrees}: {error}"));
+            let curvature = |v: usize| simulation.metric().curvature(simulation.mesh(), VertexId::new(v)).to_degrees();
             assert!((curvature(vertex) - degrees).abs() < 1e-8, "{vertex} {degrees}: {}", curvature(vertex));
             // All others share the rest, each between half and twice the mean.
             let mean = (720.0 - degrees) / 161.0;
@@ -140,8 +140,8 @@ fn a_negative_cone_on_an_even_sphere() {
     fs::write(folder.path().join("c.csv"), "0,-90\n9,-90\n").expect("a file");
     let text = format!("{EVEN}{RICCI}csv = 'c.csv'\namount = 1\n");
     let scene = Scene::parse(&text, "cone", folder.path()).expect("a scene");
-    let simulation = Simulation::from_scene(&scene).expect("a spindle");
-    let at_cone = simulation.metric.curvature(&simulation.mesh, VertexId::new(9)).to_degrees();
+    let simulation = scene.simulation().expect("a spindle");
+    let at_cone = simulation.metric().curvature(simulation.mesh(), VertexId::new(9)).to_degrees();
     assert!((at_cone + 90.0).abs() < 1e-8, "{at_cone}");
 }
 

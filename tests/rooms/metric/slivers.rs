@@ -129,8 +129,8 @@ fn a_surface_with_a_sliver_is_found_from_random_frames() {
         std::fs::write(folder.path().join("mesh.obj"), obj(&points, &faces)).unwrap();
         let text = "[mesh]\nfile = 'mesh.obj'\n[start]\nrandom = 1\n";
         let scene = Scene::parse(text, "sliver", folder.path()).unwrap();
-        let mut simulation = Simulation::from_scene(&scene).unwrap_or_else(|error| panic!("{height:e}: {error}"));
-        let report = simulation.relax(None, &mut Unobserved).unwrap().report;
+        let mut simulation = scene.simulation().unwrap_or_else(|error| panic!("{height:e}: {error}"));
+        let report = simulation.relax(&mut Unobserved).unwrap().report;
         assert!(report.l2_length_error < 0.01 && report.pinch_points == 0, "{height:e}: {report:?}");
     }
 }
@@ -158,6 +158,6 @@ fn a_flow_may_start_from_a_sliver() {
     std::fs::write(folder.path().join("mesh.obj"), obj(&points, &faces)).unwrap();
     let text = "[mesh]\nfile = 'mesh.obj'\n[[metric.change]]\nkind = 'ricci'\ncurvature = 1\n[start]\nrandom = 1\n";
     let scene = Scene::parse(text, "flow", folder.path()).unwrap();
-    let simulation = Simulation::from_scene(&scene).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(simulation.mesh.face_count(), faces.len());
+    let simulation = scene.simulation().unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(simulation.mesh().face_count(), faces.len());
 }
