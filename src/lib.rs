@@ -20,6 +20,8 @@
 //! modules above it.
 
 pub mod advice;
+pub mod text;
+
 pub mod scene;
 
 pub mod algebra;

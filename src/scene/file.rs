@@ -11,7 +11,7 @@ use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
 use super::table::Table;
-use super::text::decode;
+use crate::text::decode;
 use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
 use crate::advice::Advice;
 

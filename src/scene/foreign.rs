@@ -1,6 +1,6 @@
 //! Files that are given where a scene belongs: what they are, by ending and by content, and what to do with them.
 
-use super::text::decode;
+use crate::text::decode;
 use std::path::Path;
 
 /// Endings of meshes that scenes can name.

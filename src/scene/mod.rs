@@ -27,10 +27,8 @@ mod shapes;
 mod source;
 mod spelling;
 mod table;
-mod text;
 mod value;
 
 pub use data::*;
 pub use error::{AtKey, SceneError, SceneErrors};
 pub use source::{Location, Source};
-pub use text::{Text, decode, without_mark};

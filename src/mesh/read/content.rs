@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{Problem, off};
-use crate::scene::{decode, without_mark};
+use crate::text::{decode, without_mark};
 
 /// # Errors
 /// [`Problem`] if the file is empty or plainly something else than its ending says.

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::polygons::Polygons;
 use super::{Problem, Soup, lines, point};
-use crate::scene::decode;
+use crate::text::decode;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     // Names in material lines may be in any encoding and do not matter.

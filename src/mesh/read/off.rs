@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::polygons::Polygons;
 use super::{Problem, Soup, index, lines, number, point};
-use crate::scene::decode;
+use crate::text::decode;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     let text = decode(bytes);

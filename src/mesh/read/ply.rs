@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::ply_header::{Element, Format, Header, Property, Scalar};
 use super::polygons::Polygons;
 use super::{Problem, Soup, parse_number};
-use crate::scene::{decode, without_mark};
+use crate::text::{decode, without_mark};
 
 const CUT_SHORT: &str = "correct the header's counts, or restore the rest of the file";
 

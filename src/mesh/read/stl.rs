@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::content::{claimed_triangles, is_binary_stl};
 use super::{Problem, Soup, point};
-use crate::scene::decode;
+use crate::text::decode;
 
 pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     // A binary file may begin with "solid". Its length tells, or else a zero among its first bytes: the count of

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::{Problem, lines, number, parse_number};
-use crate::scene::decode;
+use crate::text::decode;
 
 const COMMA: &str = "write a decimal point, or separate columns by `;` where a comma is the decimal mark";
 
