@@ -22,12 +22,11 @@
 pub mod advice;
 pub mod text;
 
+pub mod mesh;
 pub mod scene;
 
 pub mod algebra;
 pub mod timeline;
-
-pub mod mesh;
 
 pub mod metric;
 pub mod spin;

@@ -6,8 +6,9 @@ use std::fs;
 use std::path::Path;
 
 use immerse::evolve::Simulation;
+use immerse::mesh::Selection;
 use immerse::mesh::{SelectionError, Surface, longest_loops, outer_loops, select_vertices, shapes};
-use immerse::scene::{Scene, SelectionSection};
+use immerse::scene::Scene;
 use support::{program, scene};
 
 const DISK: &str = "[mesh]\nshape = 'disk'\nrings = 4\n[start]\nfrom = 'mesh'\n";
@@ -145,7 +146,7 @@ fn loops_by_what_they_are() {
     let Surface { mesh, positions, .. } = shapes::cylinder(1.0, 2.0, 12, 4).expect("a cylinder");
     assert_eq!(outer_loops(&mesh, positions.as_deref()), [0]);
     let closed = shapes::sphere(1.0, 2).expect("a sphere");
-    let found = select_vertices(&SelectionSection::OuterBoundary, &closed.mesh, closed.places());
+    let found = select_vertices(&Selection::OuterBoundary, &closed.mesh, closed.places());
     assert_eq!(found, Err(SelectionError::NoBoundary));
 }
 

@@ -7,9 +7,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::path::Path;
 
 use glam::{DMat3, DVec3};
+use immerse::mesh::shapes::PolyhedronSource;
 use immerse::mesh::{Surface, read, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::scene::PolyhedronSource;
 use support::Random;
 
 fn input(name: &str) -> Surface {

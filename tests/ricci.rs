@@ -2,12 +2,12 @@
 
 mod support;
 
+use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Solid};
 use immerse::mesh::{EdgeId, Mesh, Surface, VertexId, shapes};
 use immerse::metric::{
     BoundaryCondition, Conformal, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow,
     lengths_of_positions, uniformize,
 };
-use immerse::scene::{Body, Grid, Operation, PolyhedronSource, Solid};
 use std::f64::consts::{PI, TAU};
 use support::Random;
 

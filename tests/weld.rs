@@ -7,8 +7,8 @@ use std::fs;
 use std::path::Path;
 
 use glam::DVec3;
+use immerse::mesh::Weld;
 use immerse::mesh::{Surface, VertexId, read, read_edge_lengths, read_welded, shapes};
-use immerse::scene::Weld;
 use support::{Random, program};
 
 type Triangles = Vec<[u32; 3]>;

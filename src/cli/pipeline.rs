@@ -10,7 +10,7 @@ use super::selections::selection_notes;
 use crate::algebra::Complex;
 use crate::cache::{Cache, CacheError, Film, FrameState};
 use crate::evolve::{self, Checkpoint, EvolveError, Observer, SetupError, Simulation, clock_of, phase_sections};
-use crate::mesh::{self, longest_loops, outer_loops};
+use crate::mesh::{longest_loops, outer_loops};
 use crate::movie::{self, Arrivals, MovieError, Plan};
 use crate::scene::{Scene, SceneError, SceneErrors, SpinSection};
 use crate::spin::{SpinError, SpinStructure, class_digits};
@@ -173,8 +173,7 @@ fn start_and_target(start: Result<Vec<bool>, SpinError>, simulation: &Simulation
 /// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
 pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
     if scene.clock.a_frame_for_each_class {
-        let surface = mesh::of_scene(scene);
-        let surface = surface.map_err(|error| complaint(scene, "mesh", &error.to_string()))?;
+        let surface = scene.surface()?;
         scene.clock =
             clock_of(scene, &surface.mesh).map_err(|error| complaint(scene, error.key(), &error.to_string()))?;
     }
@@ -183,7 +182,10 @@ pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
 
 /// The simulation of a scene; what is at fault is shown where the scene names it.
 fn set_up(scene: &Scene) -> Result<Simulation, PipelineError> {
-    Simulation::from_scene(scene).map_err(|error: SetupError| complaint(scene, error.key(), &error.to_string()))
+    Simulation::from_scene(scene).map_err(|error| match error {
+        SetupError::Surface(mistake) => mistake.into(),
+        error => complaint(scene, error.key(), &error.to_string()),
+    })
 }
 
 /// Shows an error where the scene names what is at fault.

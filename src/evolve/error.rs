@@ -3,18 +3,17 @@
 use super::PhaseError;
 use crate::algebra::CholeskyError;
 use crate::immersion::{BendingError, PinError, StartError};
-use crate::mesh::MeshError;
 use crate::metric::MetricError;
-use crate::scene::{AtKey, ClockSection};
+use crate::scene::{AtKey, ClockSection, SceneError};
 use crate::spin::SpinError;
 use crate::timeline::TimelineError;
 
 /// Why a scene does not describe a simulation.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SetupError {
-    /// The surface.
+    /// The surface, and where the scene names it.
     #[error(transparent)]
-    Mesh(#[from] MeshError),
+    Surface(#[from] SceneError),
     /// A parameter.
     #[error("{}", .0.error)]
     Parameter(#[from] AtKey<TimelineError>),
@@ -66,8 +65,7 @@ impl SetupError {
     /// The key of the scene file that is at fault.
     pub fn key(&self) -> &str {
         match self {
-            SetupError::Mesh(error) if error.is_of_file() => "mesh.file",
-            SetupError::Mesh(_) => "mesh",
+            SetupError::Surface(_) => "mesh",
             SetupError::Poisson(_) => "metric",
             SetupError::MoreFramesThanClasses { .. } => "clock.frames",
             SetupError::Spin(_) | SetupError::TooManyClasses { .. } => "spin.class",

@@ -6,7 +6,7 @@ use super::relaxation::{Beginning, Relaxation};
 use super::{Cursor, EvolveError, FrameReport, Observer, Pace, Phase, SetupError, phases_from_scene};
 use crate::algebra::Complex;
 use crate::immersion::{Pins, TargetBending, initial_positions, spin_from_scene, spin_of_immersion};
-use crate::mesh::{self, Component, EdgeId, Mesh, Surface, VertexId};
+use crate::mesh::{Component, EdgeId, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricAt, MetricProgram};
 use crate::scene::{AtKey, Scene, StartFrom, StartSection};
 use crate::spin::{Homology, SpinError, SpinStructure};
@@ -90,7 +90,7 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the scene is at fault.
     pub fn from_scene(scene: &Scene) -> Result<Simulation, SetupError> {
-        Simulation::new(scene, mesh::of_scene(scene)?)
+        Simulation::new(scene, scene.surface()?)
     }
 
     /// As [`Simulation::from_scene`], with a surface from memory in place of the scene's `[mesh]`.

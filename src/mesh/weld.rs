@@ -5,8 +5,9 @@
 //! edges, so bodies that touch in a vertex or along an edge stay apart, and every vertex keeps a single fan. What would put
 //! a third face to an edge is not glued.
 
+use super::coincident::{at_equal_positions, coincident};
 use super::faults::orient;
-use super::places::{equal_places, places, root};
+use super::union_find::root;
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
@@ -19,6 +20,17 @@ const SMALL_OF_EDGES: f64 = 0.05;
 const FLAT: f64 = 1e-4;
 /// How often gluing is taken back around edges that it would spoil, before all of it is.
 const TRIES: usize = 10;
+
+/// What becomes of boundary edges of a file that lie upon each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Weld {
+    /// They stay as they are.
+    None,
+    /// They become one where coordinates are equal.
+    Exact,
+    /// They become one where their ends are no farther apart than this, in the units of the file.
+    Within(f64),
+}
 
 /// Which vertices are one, and what is left.
 pub(super) struct Welded {
@@ -115,9 +127,9 @@ impl<'a> Seams<'a> {
             return false;
         }
         let all: Vec<usize> = (0..self.is_inner.len()).collect();
-        let places = self.places(&all, tolerance);
+        let corner_of = self.corners(&all, tolerance);
         let key = |&side: &usize| {
-            let [a, b] = self.ends(side).map(|v| places[&v]);
+            let [a, b] = self.ends(side).map(|v| corner_of[&v]);
             [a.min(b), a.max(b)]
         };
         let mut counts: HashMap<[u32; 2], usize> = HashMap::new();
@@ -139,11 +151,11 @@ impl<'a> Seams<'a> {
     /// Open sides whose ends lie at the same two places, where there are several; in order of the places.
     fn groups(&self, tolerance: f64) -> Vec<Group> {
         let open = self.open_sides();
-        let places = self.places(&open, tolerance);
+        let corner_of = self.corners(&open, tolerance);
         let mut keyed: Vec<([u32; 2], bool, usize)> = open
             .iter()
             .map(|&side| {
-                let [a, b] = self.ends(side).map(|v| places[&v]);
+                let [a, b] = self.ends(side).map(|v| corner_of[&v]);
                 ([a.min(b), a.max(b)], a > b, side)
             })
             .filter(|([a, b], ..)| a != b)
@@ -156,12 +168,12 @@ impl<'a> Seams<'a> {
         several.map(|group| Group { ups: those(group, false), downs: those(group, true) }).collect()
     }
 
-    /// Per end of the sides its place.
-    fn places(&self, sides: &[usize], tolerance: f64) -> HashMap<u32, u32> {
+    /// Per end of the sides the first of the ends that coincide with it.
+    fn corners(&self, sides: &[usize], tolerance: f64) -> HashMap<u32, u32> {
         let mut vertices: Vec<u32> = sides.iter().flat_map(|&side| self.ends(side)).collect();
         vertices.sort_unstable();
         vertices.dedup();
-        places(&vertices, self.positions, tolerance)
+        coincident(&vertices, self.positions, tolerance)
     }
 
     /// Glues open sides that coincide.
@@ -307,8 +319,8 @@ impl<'a> Seams<'a> {
     fn welded(self, near: f64) -> Welded {
         let first = self.first();
         let open = self.open_sides();
-        let places = self.places(&open, near);
-        let mut at: Vec<(u32, u32)> = places.iter().map(|(v, place)| (*place, first[*v as usize])).collect();
+        let corner_of = self.corners(&open, near);
+        let mut at: Vec<(u32, u32)> = corner_of.iter().map(|(v, corner)| (*corner, first[*v as usize])).collect();
         at.sort_unstable();
         at.dedup();
         let groups = at.chunk_by(|a, b| a.0 == b.0).filter(|group| group.len() > 1);
@@ -335,7 +347,7 @@ impl<'a> Seams<'a> {
         corners.sort_unstable();
         corners.dedup();
         let (rim, inside): (Vec<u32>, Vec<u32>) = corners.into_iter().partition(|&v| on_boundary[v as usize]);
-        equal_places(&rim, &inside, self.positions)
+        at_equal_positions(&rim, &inside, self.positions)
     }
 }
 

@@ -11,9 +11,9 @@ use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
 use super::table::Table;
-use crate::text::decode;
 use super::{BendingFrom, ChangeKind, LengthSource, Scene, SceneError, SceneErrors, StartFrom};
 use crate::advice::Advice;
+use crate::text::decode;
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;

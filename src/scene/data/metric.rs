@@ -1,6 +1,7 @@
 //! `[metric]`: edge lengths, and how they change.
 
-use super::{Ease, Extrapolation, NumberSection, SelectionSection};
+use super::{Ease, Extrapolation, NumberSection};
+use crate::mesh::Selection;
 use std::path::PathBuf;
 
 /// `[metric]`: lengths, and changes made to them one after another.
@@ -103,7 +104,7 @@ pub struct RicciSection {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvatureRegionSection {
     /// Which vertices.
-    pub vertices: SelectionSection,
+    pub vertices: Selection,
     /// Total curvature in degrees, spread in proportion to area. What Gauss–Bonnet leaves is spread over the vertices
     /// in no region in the same way.
     pub total: f64,

@@ -3,10 +3,12 @@
 use glam::DVec3;
 
 use super::polygons::Polygons;
-use super::{Problem, Soup, index, lines, number, point};
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::{index, lines, number, point};
 use crate::text::decode;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     let text = decode(bytes);
     let mut lines = lines(&text.text).peekable();
     let (mut line, first) = lines.next().ok_or_else(|| Problem::new("the file is empty", "give an OFF file"))?;
@@ -63,7 +65,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
 const BINARY: &str = "save it as ascii OFF; the binary form is not read";
 
 /// Whether a line begins an OFF file.
-pub(super) fn is_header(line: &str) -> bool {
+pub(in crate::mesh::read) fn is_header(line: &str) -> bool {
     split_header(line).is_some()
 }
 

@@ -2,8 +2,9 @@
 
 use glam::DVec3;
 
-use super::{Problem, Soup};
 use crate::mesh::polygon;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
 
 /// Polygons with any number of corners, which may name vertices that come later in the file.
 #[derive(Default)]
@@ -66,7 +67,7 @@ impl Polygons {
                 |polygon::CrossesItself| Problem {
                     line,
                     reason: format!("the outline of face {} crosses or touches itself", n + self.counted_from),
-                    remedy: "cut the face into simple polygons, or correct the order of its corners",
+                    remedy: "cut the face into simple polygons, or correct the order of its corners".into(),
                 },
             )?;
             soup.polygons.resize(soup.triangles.len(), n as u32);

@@ -4,14 +4,15 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::content::{claimed_triangles, is_binary_stl};
-use super::{Problem, Soup, point};
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::point;
 use crate::text::decode;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     // A binary file may begin with "solid". Its length tells, or else a zero among its first bytes: the count of
     // triangles has one, unless there are sixteen millions of them.
-    if is_binary_stl(bytes) {
+    if is_binary(bytes) {
         return binary(bytes);
     }
     let start = decode(&bytes[..bytes.len().min(START)]);
@@ -26,6 +27,17 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
         )),
         None => Err(Problem::new("this is neither an ascii nor a binary STL file", "export it again")),
     }
+}
+
+/// Whether these bytes are a binary STL file, by their length, which follows from the number of triangles that it claims.
+pub(in crate::mesh::read) fn is_binary(bytes: &[u8]) -> bool {
+    claimed_triangles(bytes).is_some_and(|count| count > 0 && bytes.len() as u64 == 84 + 50 * count)
+}
+
+/// The number of triangles that a binary STL file says it has.
+fn claimed_triangles(bytes: &[u8]) -> Option<u64> {
+    let field = bytes.get(80..84)?;
+    Some(u32::from_le_bytes(field.try_into().ok()?).into())
 }
 
 /// As much of a file as shows whether it is a text.

@@ -1,0 +1,18 @@
+//! Reads triangle meshes from files. What is not a triangle is cut into triangles, what can be repaired is repaired, and
+//! everything else is an error with its place in the file.
+
+mod content;
+mod file;
+mod format;
+mod formats;
+mod positions;
+mod problem;
+mod soup;
+mod surface;
+mod tables;
+mod words;
+
+pub use file::{read, read_welded};
+pub use format::FileFormat;
+pub use positions::read_positions;
+pub use tables::{read_edge_lengths, read_vertex_numbers};
