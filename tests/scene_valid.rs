@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use immerse::mesh::Selection;
+use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Shape, Solid};
 use immerse::scene::*;
 
 fn parse(text: &str) -> Scene {

@@ -64,7 +64,7 @@ pub(super) struct Orientable {
     pub pairs: Vec<Pair>,
 }
 
-/// Checks everything about faces by sorting, in n log n.
+/// Checks everything about faces by sorting, in n log n. There must be few enough of them, see [`super::limits`].
 pub(super) fn orient(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Orientable, Faults> {
     let mut faults = Faults::default();
     // What cannot be looked at further, and whose corners are not judged.

@@ -1,4 +1,4 @@
-//! Connectivity: halfedges, validation and repair, file readers and generated shapes.
+//! Connectivity: halfedges, validation and repair, files, generated shapes, and sets of vertices and edges.
 
 mod boundary_loops;
 mod coincident;
@@ -18,6 +18,7 @@ pub mod shapes;
 mod surface;
 mod union_find;
 mod weld;
+mod write;
 
 pub use boundary_loops::{longest_loops, outer_loops};
 pub use component::{Component, Subset};
@@ -31,3 +32,4 @@ pub use repair::{Repaired, repair};
 pub use selection::{EdgeSelection, Selection, SelectionError, select_edges, select_vertices};
 pub use surface::Surface;
 pub use weld::Weld;
+pub use write::{WriteError, write_obj};

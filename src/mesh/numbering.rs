@@ -29,9 +29,10 @@ impl Numbering {
     pub fn new(meant: Vec<Option<VertexId>>, faces: Vec<u32>) -> Numbering {
         let count = meant.iter().flatten().map(|v| v.index() + 1).max().unwrap_or(0);
         let mut vertices = vec![u32::MAX; count];
-        for (number, vertex) in meant.iter().enumerate().rev() {
+        for (number, vertex) in (0..).zip(&meant) {
             if let Some(v) = vertex {
-                vertices[v.index()] = number as u32;
+                let smallest: &mut u32 = &mut vertices[v.index()];
+                *smallest = number.min(*smallest);
             }
         }
         Numbering { vertices, meant, faces }

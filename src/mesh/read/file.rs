@@ -7,7 +7,6 @@ use super::format::FileFormat;
 use super::formats::{obj, off, ply, stl};
 use super::problem::{Problem, read_bytes};
 use super::soup::Soup;
-use crate::advice::Advice;
 use crate::mesh::limits::check_size;
 use crate::mesh::repair::Unrepairable;
 use crate::mesh::{MeshError, Surface, Weld};
@@ -34,7 +33,7 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
 pub fn read_welded(path: &Path, weld: Option<Weld>) -> Result<Surface, MeshError> {
     let (soup, format) = read_soup(path)?;
     soup.surface(format, weld).map_err(|unrepairable| match unrepairable {
-        Unrepairable::Size(error) => of_size(path, &error),
+        Unrepairable::Size(error) => Problem::of_size(&error).in_file(path),
         Unrepairable::Faults(mut faults) => {
             let counted_from = format.counts_from();
             for fault in &mut faults.listed {
@@ -62,11 +61,6 @@ pub(super) fn read_soup(path: &Path) -> Result<(Soup, FileFormat), MeshError> {
     };
     let bytes = read_bytes(path)?;
     let soup = content::check(&bytes, format).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;
-    check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| of_size(path, &error))?;
+    check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| Problem::of_size(&error).in_file(path))?;
     Ok((soup, format))
-}
-
-/// Too many or too few faces are no fault of any one of them.
-fn of_size(path: &Path, error: &MeshError) -> MeshError {
-    Problem::new(error.reason(), error.remedy()).in_file(path)
 }

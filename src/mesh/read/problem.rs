@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::advice::Advice;
 use crate::mesh::MeshError;
 
 /// What is wrong with a file, on which line, and what to do about it.
@@ -21,6 +22,11 @@ impl Problem {
     /// A problem of a line.
     pub fn at(line: usize, reason: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self { line: Some(line), reason: reason.into(), remedy: remedy.into() }
+    }
+
+    /// A mesh that is too small or too large as a whole.
+    pub fn of_size(error: &MeshError) -> Self {
+        Self::new(error.reason(), error.remedy())
     }
 
     /// The problem as an error that names the file.

@@ -51,13 +51,18 @@ struct Merged {
 }
 
 impl Merged {
-    fn vertex(&mut self, p: DVec3) -> u32 {
+    fn vertex(&mut self, p: DVec3) -> Result<u32, Problem> {
         // Adding zero turns -0 into +0.
         let key = p.to_array().map(|x| (x + 0.0).to_bits());
-        *self.numbers.entry(key).or_insert_with(|| {
-            self.positions.push(p);
-            self.positions.len() as u32 - 1
-        })
+        if let Some(&known) = self.numbers.get(&key) {
+            return Ok(known);
+        }
+        let number = u32::try_from(self.positions.len());
+        let number =
+            number.map_err(|_| Problem::new("the file has too many different points", "use a coarser mesh"))?;
+        self.positions.push(p);
+        self.numbers.insert(key, number);
+        Ok(number)
     }
 
     fn soup(self, triangles: Vec<[u32; 3]>, lines: Vec<usize>) -> Soup {
@@ -91,7 +96,7 @@ fn binary(bytes: &[u8]) -> Result<Soup, Problem> {
                     "every number must be finite",
                 ));
             }
-            *corner = merged.vertex(p);
+            *corner = merged.vertex(p)?;
         }
         triangles.push(triangle);
     }
@@ -134,7 +139,7 @@ fn ascii(bytes: &[u8]) -> Result<Soup, Problem> {
                 }
                 // Whatever it says, normals follow from the corners.
                 "normal" => words.by_ref().take(3).for_each(drop),
-                "vertex" => corners.push(merged.vertex(point(&mut words, line)?)),
+                "vertex" => corners.push(merged.vertex(point(&mut words, line)?)?),
                 "endfacet" => match (corners.as_slice(), facet.take()) {
                     (&[a, b, c], Some(start)) => {
                         triangles.push([a, b, c]);
