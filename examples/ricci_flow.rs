@@ -9,7 +9,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let bumpy: Vec<_> = sphere.positions.iter().flatten().map(|p| *p * (1.0 + 0.2 * (5.0 * p.x).sin())).collect();
     let mesh: &Mesh = &sphere.mesh;
     let lengths = lengths_of_positions(mesh, &bumpy);
-    let mut flow = RicciFlow::new(mesh, &lengths, &CurvatureTarget::constant())?;
+    let mut flow = RicciFlow::new(mesh, &lengths, &CurvatureTarget::default())?;
     for time in [0.0, 0.5, 1.0, 2.0, 4.0] {
         let metric = Metric::new(mesh, flow.advance_to(time)?)?;
         let densities = immerse::immersion::gaussian_curvatures(mesh, &metric);

@@ -2,8 +2,10 @@
 
 use immerse::{Immersion, Mesh, Metric};
 
-/// Vertices around and along.
-const [U, V]: [usize; 2] = [40, 24];
+/// Vertices around.
+const U: usize = 40;
+/// Vertices along.
+const V: usize = 24;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // A flat torus has no positions to take lengths from: a rectangle of 5 by 3, opposite sides glued.

@@ -1,6 +1,7 @@
 #![doc = include_str!("../docs/guide.md")]
 
 pub mod advice;
+pub mod text;
 pub mod tuning;
 
 pub mod algebra;
@@ -15,13 +16,11 @@ pub mod frames;
 pub mod immersion;
 
 pub mod evolve;
-
 pub mod render;
 
 pub mod scene;
 
 pub mod cache;
-
 pub mod movie;
 
 pub mod cli;

@@ -2,7 +2,8 @@
 
 use std::{error::Error, path::Path};
 
-use immerse::scene::{MeshSection, Scene, Shape};
+use immerse::mesh::shapes::Shape;
+use immerse::scene::{MeshSection, Scene};
 
 /// Names of spheres with their number of parts per edge of the icosahedron: 20 n² faces.
 pub const SPHERES: [(&str, usize); 4] =

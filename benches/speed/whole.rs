@@ -45,7 +45,7 @@ impl Observer for Tally {
 /// `target` and it has neither rims nor pinch points.
 pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> Result<Value, Box<dyn Error>> {
     let scene = scene(name)?;
-    let surface = immerse::mesh::from_scene(&scene.mesh, &scene.folder)?;
+    let surface = scene.surface()?;
     let begin = Instant::now();
     let mut simulation = scene.simulation_of(surface)?;
     let setup = begin.elapsed().as_secs_f64();

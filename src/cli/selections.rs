@@ -4,13 +4,15 @@ use std::collections::HashSet;
 
 use glam::DVec3;
 
-use crate::mesh::{EdgeId, Mesh, VertexId, read_vertex_numbers, select_edges, select_vertices};
-use crate::scene::{ChangeKind, EdgeSelection, Scene, SelectionSection};
+use crate::mesh::{
+    EdgeId, EdgeSelection, Mesh, Selection, VertexId, read_vertex_numbers, select_edges, select_vertices,
+};
+use crate::scene::{ChangeKind, Scene};
 
 /// A line for each selection of a scene that is valid for the mesh.
 pub(super) fn selection_notes(scene: &Scene, mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<String> {
     let mut notes = Vec::new();
-    let by_vertices = |section: &SelectionSection| select_vertices(section, mesh, places).unwrap_or_default();
+    let by_vertices = |section: &Selection| select_vertices(section, mesh, places).unwrap_or_default();
     for (k, pin) in scene.pins.iter().enumerate() {
         notes.push(format!("pin[{k}]: {}", caught(mesh, &by_vertices(&pin.vertices), None)));
     }

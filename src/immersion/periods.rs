@@ -18,8 +18,7 @@ pub struct Periods {
 impl Periods {
     /// One Poisson solve for every three generators.
     pub fn new(mesh: &Mesh, metric: &Metric, homology: &Homology, poisson: &Poisson) -> Periods {
-        let closed: Vec<Vec<f64>> =
-            homology.generators().iter().map(|g| crossings(mesh, &g.path)).collect();
+        let closed: Vec<Vec<f64>> = homology.generators().iter().map(|g| crossings(mesh, &g.path)).collect();
         let mut basis: Vec<Vec<f64>> = Vec::with_capacity(closed.len());
         for group in closed.chunks(3) {
             let value = |e: usize, k: usize| group.get(k).map_or(0.0, |form| form[e]);

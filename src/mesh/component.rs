@@ -37,7 +37,7 @@ impl Subset {
     pub fn here(&self, whole: usize) -> Option<usize> {
         match &self.numbers {
             None => Some(whole),
-            Some(numbers) => numbers.binary_search(&(whole as u32)).ok(),
+            Some(numbers) => numbers.binary_search(&u32::try_from(whole).ok()?).ok(),
         }
     }
 }
@@ -47,11 +47,11 @@ impl Subset {
 pub struct Component {
     /// The component alone.
     pub mesh: Arc<Mesh>,
-    /// Its vertices among those of the whole,
+    /// Its vertices among those of the whole.
     pub vertices: Subset,
-    /// its edges,
+    /// Its edges among those of the whole.
     pub edges: Subset,
-    /// and its faces.
+    /// Its faces among those of the whole.
     pub faces: Subset,
 }
 
@@ -75,12 +75,12 @@ impl Component {
         };
         let vertices = sorted(faces.iter().flat_map(|&f| mesh.corners(f)).map(|v| v.0).collect());
         let edges = sorted(faces.iter().flat_map(|f| f.halfedges()).map(|h| mesh.edge(h).0).collect());
-        let here = |v: VertexId| vertices.here(v.index()).map_or(u32::MAX, |v| v as u32);
+        let here = |v: VertexId| vertices.here(v.index()).map_or(u32::MAX, |v| VertexId::new(v).0);
         let triangles: Vec<[u32; 3]> = faces.iter().map(|&f| mesh.corners(f).map(here)).collect();
         let count = vertices.numbers.as_ref().map_or(0, Vec::len);
         let names = Numbering::of_part(
-            vertices.numbers.iter().flatten().map(|&v| mesh.file_vertex(VertexId(v)) as u32).collect(),
-            faces.iter().map(|&f| mesh.file_face(f) as u32).collect(),
+            vertices.numbers.iter().flatten().map(|&v| mesh.vertex_number(VertexId(v))).collect(),
+            faces.iter().map(|&f| mesh.face_number(f)).collect(),
         );
         let alone = Mesh::from_faces(count, &triangles).ok()?.numbered(names);
         let faces = Subset { numbers: Some(faces.iter().map(|f| f.0).collect()) };

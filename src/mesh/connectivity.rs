@@ -2,6 +2,7 @@
 //!
 //! There are no positions here: everything downstream of this type is intrinsic.
 
+use super::limits::check_size;
 use super::numbering::Numbering;
 use super::{EdgeId, FaceId, HalfedgeId, MeshError, VertexId};
 use std::sync::Arc;
@@ -35,9 +36,7 @@ impl Mesh {
     /// [`MeshError`] naming the first element that is degenerate, duplicate, non-manifold,
     /// inconsistently oriented, unreferenced or out of range.
     pub fn from_faces(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Mesh, MeshError> {
-        if faces.is_empty() {
-            return Err(MeshError::Empty);
-        }
+        check_size(vertex_count, faces.len())?;
         for (f, &[a, b, c]) in faces.iter().enumerate() {
             for vertex in [a, b, c] {
                 if vertex as usize >= vertex_count {

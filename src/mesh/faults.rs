@@ -1,7 +1,7 @@
 //! Everything that keeps a list of triangles from being an oriented surface, found at once.
 
-use super::MeshError;
-use super::error::Fault;
+use super::error::{Fault, MeshError};
+use super::union_find::root;
 
 /// So many faults of a kind are listed; beyond that they are counted.
 const LISTED: usize = 20;
@@ -64,7 +64,7 @@ pub(super) struct Orientable {
     pub pairs: Vec<Pair>,
 }
 
-/// Checks everything about faces by sorting, in n log n.
+/// Checks everything about faces by sorting, in n log n. There must be few enough of them, see [`super::limits`].
 pub(super) fn orient(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Orientable, Faults> {
     let mut faults = Faults::default();
     // What cannot be looked at further, and whose corners are not judged.
@@ -152,13 +152,6 @@ fn fans(faces: &[[u32; 3]], out: &[bool], unjudged: &[bool], pairs: &[Pair], fau
     faults.begin("vertices with more than one fan of faces");
     // Corners hang together across edges.
     let mut parents: Vec<u32> = (0..3 * faces.len() as u32).collect();
-    fn root(parents: &mut [u32], mut k: u32) -> u32 {
-        while parents[k as usize] != k {
-            parents[k as usize] = parents[parents[k as usize] as usize];
-            k = parents[k as usize];
-        }
-        k
-    }
     for pair in pairs {
         for v in pair.edge {
             let [a, b] = pair.faces.map(|f| faces[f].iter().position(|&w| w == v).map(|k| (3 * f + k) as u32));

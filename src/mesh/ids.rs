@@ -13,11 +13,12 @@ macro_rules! id {
                 self.0 as usize
             }
 
-            /// The element with this array index.
+            /// The element with this array index. An index that no mesh has, because 32 bits do not hold it, gives an
+            /// element that no mesh has.
             #[inline]
             pub fn new(index: usize) -> Self {
                 debug_assert!(index < u32::MAX as usize);
-                Self(index as u32)
+                Self(index.min(u32::MAX as usize) as u32)
             }
         }
     };

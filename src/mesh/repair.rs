@@ -1,6 +1,7 @@
 //! From faces as found in files to a [`Mesh`]: orients, compacts, and says what it did.
 
 use super::faults::{Faults, Orientable, orient};
+use super::limits::check_size;
 use super::{Mesh, MeshError, VertexId};
 
 /// A mesh and what had to be changed to get it.
@@ -25,7 +26,8 @@ pub struct Repaired {
 /// faces (same corners in any order), non-manifold edges or vertices, components that cannot be oriented. One fault
 /// is an error of its own kind, several are [`MeshError::Several`]. Numbers in errors are those of the input.
 pub fn repair(vertex_count: usize, faces: &[[u32; 3]]) -> Result<Repaired, MeshError> {
-    let first: Vec<u32> = (0..vertex_count.min(u32::MAX as usize) as u32).collect();
+    check_size(vertex_count, faces.len())?;
+    let first: Vec<u32> = (0..vertex_count as u32).collect();
     repair_welded(vertex_count, faces, &first).map_err(Unrepairable::into_error)
 }
 
@@ -48,7 +50,7 @@ impl Unrepairable {
 
 /// As [`repair`], of vertices each of which is one with the vertex `first` of it, which faces name in its place.
 pub(super) fn repair_welded(vertex_count: usize, faces: &[[u32; 3]], first: &[u32]) -> Result<Repaired, Unrepairable> {
-    check_size(vertex_count, faces).map_err(Unrepairable::Size)?;
+    check_size(vertex_count, faces.len()).map_err(Unrepairable::Size)?;
     let Orientable { reversed, components, .. } = orient(vertex_count, faces).map_err(Unrepairable::Faults)?;
     let mut repairs = Vec::new();
     let count = reversed.iter().filter(|reverse| **reverse).count();
@@ -86,16 +88,4 @@ pub(super) fn repair_welded(vertex_count: usize, faces: &[[u32; 3]], first: &[u3
         .collect();
     let mesh = Mesh::from_faces(input_vertices.len(), &oriented).map_err(Unrepairable::Size)?;
     Ok(Repaired { mesh, input_vertices, vertex_map, repairs })
-}
-
-fn check_size(vertex_count: usize, faces: &[[u32; 3]]) -> Result<(), MeshError> {
-    if faces.is_empty() {
-        return Err(MeshError::Empty);
-    }
-    // Halfedges are numbered with 32 bits, one number being taken for "none".
-    let limit = u32::MAX as usize / 3 - 1;
-    if faces.len() > limit || vertex_count > u32::MAX as usize - 1 {
-        return Err(MeshError::TooLarge { faces: faces.len(), vertices: vertex_count, limit });
-    }
-    Ok(())
 }

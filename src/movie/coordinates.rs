@@ -6,8 +6,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::mesh::Mesh;
+use crate::mesh::shapes::Shape;
 use crate::render::{Field, FieldValues};
-use crate::scene::{MeshSection, PatternAlong, Shape};
+use crate::scene::{MeshSection, PatternAlong};
 use crate::timeline::{Formula, Parameters, TimelineError};
 
 /// What is known of the mesh apart from its shape in space.

@@ -15,7 +15,7 @@ use crate::{
     immersion::pinch_points,
     mesh::{self, EdgeId, Mesh, Surface},
     render::{Extent, Legend, Look, Plane, Scenery},
-    scene::Scene,
+    scene::{Scene, SceneErrors},
 };
 
 /// What is the same in all frames.
@@ -200,7 +200,7 @@ fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
 /// The surface that the scene names, if it is still that of the film.
 fn surface_of(scene: &Scene, triangles: &[[u32; 3]]) -> Result<Surface, MovieError> {
     let at_fault = |message: &str| MovieError::of_scene(scene, "mesh.file", message);
-    let surface = mesh::of_scene(scene).map_err(|error| at_fault(&error.to_string()))?;
+    let surface = scene.surface().map_err(|error| MovieError::Scene(SceneErrors::Mistakes(vec![error])))?;
     if surface.mesh.triangles() != triangles {
         return Err(at_fault("the mesh is not that of the film; simulate it anew"));
     }

@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
+use super::data::Scene;
+use super::error::{SceneError, SceneErrors};
 use super::foreign::{folder_that_is_no_scene, foreign_content, foreign_ending};
 use super::problems::{LISTED, Problem, Problems};
 use super::sections::root;
 use super::source::Source;
 use super::table::Table;
-use super::text::decode;
-use super::data::Scene;
-use super::error::{SceneError, SceneErrors};
+use crate::text::decode;
 
 /// Far more than any scene needs; what is longer is not a scene.
 const MAX_BYTES: u64 = 64 << 20;

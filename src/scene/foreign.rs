@@ -1,10 +1,9 @@
 //! Files that are given where a scene belongs: what they are, by ending and by content, and what to do with them.
 
-use super::text::decode;
+use crate::mesh::FileFormat;
+use crate::text::decode;
 use std::path::Path;
 
-/// Endings of meshes that scenes can name.
-const MESHES: [&str; 4] = ["obj", "ply", "off", "stl"];
 const OTHER_MODELS: [&str; 24] = [
     "gltf", "glb", "fbx", "dae", "3ds", "3mf", "blend", "usd", "usda", "usdc", "usdz", "vtk", "vtp", "vtu", "msh",
     "mesh", "step", "stp", "iges", "igs", "abc", "x3d", "wrl", "ma",
@@ -21,7 +20,7 @@ type Sentence = (String, String);
 pub(super) fn foreign_ending(path: &Path) -> Option<Sentence> {
     let ending = path.extension()?.to_string_lossy().to_lowercase();
     let is_one_of = |endings: &[&str]| endings.contains(&ending.as_str());
-    if is_one_of(&MESHES) {
+    if FileFormat::of(path).is_some() {
         Some(a_mesh(path))
     } else if is_one_of(&OTHER_MODELS) {
         Some(another_model())
@@ -137,11 +136,10 @@ pub(super) fn folder_that_is_no_scene(path: &Path) -> Sentence {
 
 fn a_mesh(path: &Path) -> Sentence {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-    if !MESHES.contains(&ending.as_str()) {
+    if FileFormat::of(path).is_none() {
         let remedy = format!(
-            "give {name} the ending of its format (.obj, .ply, .off or .stl), and name it in a scene file (TOML) as file = \
-             '…' under [mesh]"
+            "give {name} the ending of its format ({}), and name it in a scene file (TOML) as file = '…' under [mesh]",
+            FileFormat::endings()
         );
         return ("it is a mesh, not a scene".into(), remedy);
     }
@@ -153,8 +151,9 @@ fn a_mesh(path: &Path) -> Sentence {
 }
 
 fn another_model() -> Sentence {
-    let remedy = "export it as OBJ, PLY, OFF or STL, and name a scene file (TOML) with [mesh] and file = '…'";
-    ("it is a model, not a scene, in a format that is not read".into(), remedy.into())
+    let formats = FileFormat::names();
+    let remedy = format!("export it as {formats}, and name a scene file (TOML) with [mesh] and file = '…'");
+    ("it is a model, not a scene, in a format that is not read".into(), remedy)
 }
 
 fn a_picture() -> Sentence {

@@ -30,11 +30,9 @@ mod shapes;
 mod source;
 mod spelling;
 mod table;
-mod text;
 mod value;
 
 pub use build::{clock_of, phases_as_text};
 pub use data::*;
 pub use error::{SceneError, SceneErrors};
 pub use source::{Location, Source};
-pub use text::{Text, decode, without_mark};

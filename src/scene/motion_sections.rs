@@ -6,6 +6,7 @@ use super::number::{one_per_time, times};
 use super::table::Table;
 use crate::evolve::Orientation;
 use crate::immersion::Noise;
+use crate::mesh::{EdgeSelection, Selection};
 use crate::timeline::Clock;
 
 const MAX_FRAMES: f64 = Clock::MOST_FRAMES as f64;
@@ -87,16 +88,16 @@ fn noise(table: &mut Table) -> Noise {
 }
 
 /// The keys that select vertices.
-pub(super) fn selection(table: &mut Table) -> SelectionSection {
+pub(super) fn selection(table: &mut Table) -> Selection {
     let section = optional_selection(table);
     if section.is_none() && table.is_given() {
         let reason = format!("{} selects nothing", table.title());
         table.complain("vertices", reason, "add vertices, boundary, box, ball or nearest");
     }
-    section.unwrap_or(SelectionSection::Vertices(Vec::new()))
+    section.unwrap_or(Selection::Vertices(Vec::new()))
 }
 
-fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
+fn optional_selection(table: &mut Table) -> Option<Selection> {
     let vertices =
         table.key("vertices", "Vertices by their numbers in the mesh file, counted from 0.").optional(vec![0, 1]);
     let boundary = table
@@ -114,16 +115,16 @@ fn optional_selection(table: &mut Table) -> Option<SelectionSection> {
     let names = ["vertices", "boundary", "box", "ball", "nearest"];
     table.only_one_of(&names);
     let section = match (vertices, boundary, corners, ball, nearest) {
-        (Some(vertices), ..) => SelectionSection::Vertices(vertices),
+        (Some(vertices), ..) => Selection::Vertices(vertices),
         (_, Some(loops), ..) => loops.into(),
-        (_, _, Some(corners), ..) => SelectionSection::Box(corners),
-        (_, _, _, Some(ball), _) => SelectionSection::Ball(ball),
-        (.., Some(points)) => SelectionSection::Nearest(points),
+        (_, _, Some(corners), ..) => Selection::Box(corners),
+        (_, _, _, Some(ball), _) => Selection::Ball(ball),
+        (.., Some(points)) => Selection::Nearest(points),
         _ => return None,
     };
     let empty = match &section {
-        SelectionSection::Vertices(list) | SelectionSection::Boundary(list) => list.is_empty(),
-        SelectionSection::Nearest(points) => points.is_empty(),
+        Selection::Vertices(list) | Selection::Boundary(list) => list.is_empty(),
+        Selection::Nearest(points) => points.is_empty(),
         _ => false,
     };
     if empty && let Some(name) = names.into_iter().find(|name| table.has(name)) {
@@ -206,8 +207,8 @@ pub(super) fn pin(table: &mut Table) -> PinSection {
     let positions = pin.positions.len();
     if positions > 0 {
         let selected = match &pin.vertices {
-            SelectionSection::Vertices(vertices) => vertices.len(),
-            SelectionSection::Nearest(points) => points.len(),
+            Selection::Vertices(vertices) => vertices.len(),
+            Selection::Nearest(points) => points.len(),
             _ => 0,
         };
         if selected == 0 {

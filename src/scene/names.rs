@@ -4,12 +4,13 @@ use serde_json::Value as Json;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::data::{SelectionSection, Weld};
 use super::problems::Problem;
 use super::spelling::suggestion;
 use super::value::{Bounds, Kind, Value, shown};
+use crate::mesh::{Selection, Weld};
 
 const WELDS: [(&str, Weld); 2] = [("exact", Weld::Exact), ("none", Weld::None)];
+
 /// Boundary loops by number or by what they are.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Boundary {
@@ -18,12 +19,12 @@ pub(super) enum Boundary {
     Longest,
 }
 
-impl From<Boundary> for SelectionSection {
+impl From<Boundary> for Selection {
     fn from(boundary: Boundary) -> Self {
         match boundary {
-            Boundary::Loops(loops) => SelectionSection::Boundary(loops),
-            Boundary::Outer => SelectionSection::OuterBoundary,
-            Boundary::Longest => SelectionSection::LongestBoundary,
+            Boundary::Loops(loops) => Selection::Boundary(loops),
+            Boundary::Outer => Selection::OuterBoundary,
+            Boundary::Longest => Selection::LongestBoundary,
         }
     }
 }

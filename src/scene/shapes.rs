@@ -1,23 +1,23 @@
 //! `[mesh]`: files and generated shapes with their parameters, and the tree of solids.
 
 use std::path::Path;
+use std::sync::LazyLock;
 
-use super::data::*;
+use super::data::MeshSection;
 use super::spelling::suggestion;
 use super::table::Table;
+use crate::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Shape, Solid, limits, polyhedron_names};
+use crate::mesh::{FileFormat, Weld};
 
-const FILE_ENDINGS: [&str; 4] = ["obj", "ply", "off", "stl"];
-const POLYHEDRA: [&str; 7] =
-    ["tetrahedron", "cube", "octahedron", "dodecahedron", "icosahedron", "genus_two", "genus_two_saddle"];
 /// Bounds that keep a mistyped number from asking for more memory than there is.
 const MAX_PARTS: f64 = 1000.0;
 const MAX_CELLS: f64 = 10_000.0;
-const MAX_FACES: f64 = 10_000_000.0;
+
+static FILE_DOC: LazyLock<String> =
+    LazyLock::new(|| format!("A mesh file ({}, by its ending), relative to the scene.", FileFormat::names()));
 
 pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
-    let file = table
-        .key::<String>("file", "A mesh file (OBJ, PLY, OFF or STL, by its ending), relative to the scene.")
-        .optional("bunny.obj".into());
+    let file = table.key::<String>("file", &FILE_DOC).optional("bunny.obj".into());
     let shape = table.variants(
         "shape",
         "The name of a generated shape; its parameters stand beside it.",
@@ -49,11 +49,12 @@ pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
     }
     let section = match (file, shape) {
         (Some(file), _) => {
-            let ending = Path::new(&file).extension().map(|ending| ending.to_string_lossy().to_lowercase());
-            let ending = ending.unwrap_or_default();
-            if !FILE_ENDINGS.contains(&ending.as_str()) {
+            if FileFormat::of(Path::new(&file)).is_none() {
+                let ending = Path::new(&file).extension().map(|ending| ending.to_string_lossy().to_lowercase());
+                let ending = ending.unwrap_or_default();
                 let reason = format!("`file` ends in `.{ending}`, which is no mesh format that can be read");
-                table.complain("file", reason, suggestion("endings", &ending, &FILE_ENDINGS));
+                let endings = FileFormat::ALL.map(FileFormat::ending);
+                table.complain("file", reason, suggestion("endings", &ending, &endings));
             }
             MeshSection::File(file.into())
         }
@@ -83,7 +84,7 @@ fn sphere(table: &mut Table) -> Shape {
         radius: radius(table),
         subdivisions: table
             .key("subdivisions", "Parts into which the edges of an icosahedron are divided.")
-            .at_least(1.0)
+            .at_least(limits::LEAST_SUBDIVISIONS as f64)
             .at_most(MAX_PARTS)
             .or(16),
     }
@@ -92,8 +93,8 @@ fn sphere(table: &mut Table) -> Shape {
 fn uv_sphere(table: &mut Table) -> Shape {
     Shape::UvSphere {
         radius: radius(table),
-        meridians: count(table, "meridians", "Number of meridians.", 3, 48),
-        parallels: count(table, "parallels", "Number of parallels.", 2, 24),
+        meridians: count(table, "meridians", "Number of meridians.", limits::LEAST_MERIDIANS, 48),
+        parallels: count(table, "parallels", "Number of parallels.", limits::LEAST_PARALLELS, 24),
     }
 }
 
@@ -114,8 +115,8 @@ fn flat_torus(table: &mut Table) -> Shape {
     Shape::FlatTorus {
         a,
         b,
-        columns: count(table, "columns", "Cells along a.", 3, 60),
-        rows: count(table, "rows", "Cells along b.", 3, 50),
+        columns: count(table, "columns", "Cells along a.", limits::LEAST_COLUMNS, 60),
+        rows: count(table, "rows", "Cells along b.", limits::LEAST_FLAT_TORUS_ROWS, 50),
         grid: grid.unwrap_or(Grid::Equilateral),
     }
 }
@@ -135,8 +136,8 @@ fn torus(table: &mut Table) -> Shape {
     Shape::Torus {
         major_radius,
         minor_radius,
-        columns: count(table, "columns", "Cells around the axis.", 3, 96),
-        rows: count(table, "rows", "Cells around the tube.", 3, 40),
+        columns: count(table, "columns", "Cells around the axis.", limits::LEAST_COLUMNS, 96),
+        rows: count(table, "rows", "Cells around the tube.", limits::LEAST_TORUS_ROWS, 40),
     }
 }
 
@@ -144,8 +145,8 @@ fn cylinder(table: &mut Table) -> Shape {
     Shape::Cylinder {
         radius: radius(table),
         height: table.key("height", "Height.").above(0.0).or(2.0),
-        columns: count(table, "columns", "Cells around.", 3, 64),
-        rows: count(table, "rows", "Cells up.", 1, 24),
+        columns: count(table, "columns", "Cells around.", limits::LEAST_COLUMNS, 64),
+        rows: count(table, "rows", "Cells up.", limits::LEAST_ROWS, 24),
     }
 }
 
@@ -156,15 +157,15 @@ fn annulus(table: &mut Table) -> Shape {
     Shape::Annulus {
         inner_radius,
         outer_radius,
-        columns: count(table, "columns", "Cells around.", 3, 64),
-        rows: count(table, "rows", "Cells outward.", 1, 12),
+        columns: count(table, "columns", "Cells around.", limits::LEAST_COLUMNS, 64),
+        rows: count(table, "rows", "Cells outward.", limits::LEAST_ROWS, 12),
     }
 }
 
 fn disk(table: &mut Table) -> Shape {
     Shape::Disk {
         radius: radius(table),
-        rings: table.key("rings", "Rings of triangles.").at_least(1.0).at_most(MAX_PARTS).or(24),
+        rings: table.key("rings", "Rings of triangles.").at_least(limits::LEAST_RINGS as f64).at_most(MAX_PARTS).or(24),
     }
 }
 
@@ -172,12 +173,16 @@ fn hyperbolic_disk(table: &mut Table) -> Shape {
     Shape::HyperbolicDisk {
         curvature: table.key("curvature", "Gaussian curvature.").below(0.0).or(-1.0),
         radius: table.key("radius", "Geodesic radius.").above(0.0).or(3.0),
-        faces: table.key("faces", "About how many triangles.").at_least(6.0).at_most(MAX_FACES).or(5000),
+        faces: table
+            .key("faces", "About how many triangles.")
+            .at_least(limits::LEAST_DISK_FACES as f64)
+            .at_most(limits::MOST_FACES as f64)
+            .or(5000),
     }
 }
 
 fn polyhedron(table: &mut Table) -> Shape {
-    let names: Vec<(&'static str, &'static str)> = POLYHEDRA.iter().map(|&name| (name, name)).collect();
+    let names: Vec<(&'static str, &'static str)> = polyhedron_names().map(|name| (name, name)).collect();
     let name = table.choice("name", "A built-in polyhedron; or give `vertices` and `polygons`.", &names);
     let vertices = table.key::<Vec<[f64; 3]>>("vertices", "Corners, [x, y, z] each.").optional(vec![
         [1.0, 0.0, 0.0],
@@ -202,10 +207,14 @@ fn polyhedron(table: &mut Table) -> Shape {
             check_polygons(table, vertices.len(), &polygons);
             PolyhedronSource::Explicit { vertices, polygons }
         }
-        (name, ..) => PolyhedronSource::Named(name.unwrap_or(POLYHEDRA[0]).to_owned()),
+        // Without a name the scene is refused.
+        (name, ..) => PolyhedronSource::Named(name.unwrap_or_default().to_owned()),
     };
-    let subdivisions =
-        table.key("subdivisions", "Parts into which each edge is divided.").at_least(1.0).at_most(MAX_PARTS).or(8);
+    let subdivisions = table
+        .key("subdivisions", "Parts into which each edge is divided.")
+        .at_least(limits::LEAST_SUBDIVISIONS as f64)
+        .at_most(MAX_PARTS)
+        .or(8);
     Shape::Polyhedron { source, subdivisions }
 }
 

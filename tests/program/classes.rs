@@ -4,7 +4,6 @@ use crate::support::{program, scene};
 use immerse::cli::checks_of;
 use immerse::evolve::{FrameReport, NO_CLASS, Simulation, Unobserved, clock_of};
 use immerse::immersion::pinch_points;
-use immerse::mesh::from_scene;
 use immerse::scene::{ChecksSection, ClockSection};
 use immerse::spin::Homology;
 use std::path::Path;
@@ -37,7 +36,7 @@ fn there_is_a_frame_for_each_class_unless_the_clock_says_else() {
     ] {
         let text = format!("[mesh]\n{mesh}\n[spin]\nclass = 'all'\n");
         let scene = scene(&text);
-        let surface = from_scene(&scene.mesh, &scene.folder).unwrap();
+        let surface = scene.surface().unwrap();
         assert_eq!(clock_of(&scene, &surface.mesh).unwrap().frames, classes, "{mesh}");
     }
     // An explicit number counts, without [clock] as with one.
@@ -45,7 +44,7 @@ fn there_is_a_frame_for_each_class_unless_the_clock_says_else() {
         [("", 4), ("[clock]\nend = 2\n", 4), ("[clock]\nframes = 1\n", 1), ("[clock]\nframes = 3\n", 3)]
     {
         let scene = scene(&format!("{TORUS}[spin]\nclass = 'all'\n{clock}"));
-        let surface = from_scene(&scene.mesh, &scene.folder).unwrap();
+        let surface = scene.surface().unwrap();
         assert_eq!(clock_of(&scene, &surface.mesh).unwrap().frames, frames, "{clock}");
     }
     let other = scene(&format!("{TORUS}[spin]\nclass = '01'\n"));

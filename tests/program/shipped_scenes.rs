@@ -20,7 +20,7 @@ fn all_scenes_are_valid() {
         match scene.simulation() {
             Ok(mut simulation) => simulation.check_all_times().unwrap_or_else(|error| panic!("{name}: {error}")),
             // The user brings the mesh.
-            Err(SetupError::Mesh(error)) => {
+            Err(SetupError::Surface(error)) => {
                 let MeshSection::File(file) = &scene.mesh else { panic!("{name}: {error}") };
                 assert!(!scene.resolve(file).exists(), "{name}: {error}");
                 assert!(name.to_string().ends_with("bunny_eversion.toml"), "{name}: {error}");

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::embedded;
+use super::error::ShapeFault;
 use super::grid::{Rows, grid_faces};
-use super::limits::{at_least, face_count, invalid, positive};
+use super::limits::{LEAST_COLUMNS, LEAST_ROWS, at_least, face_count, invalid, positive};
 use crate::mesh::{MeshError, Surface};
 
 /// A cylinder around the z axis without lids, from `-height / 2` to `height / 2`, with `columns` vertices
@@ -29,18 +29,24 @@ pub fn annulus(inner_radius: f64, outer_radius: f64, columns: usize, rows: usize
     positive("annulus", "inner_radius", inner_radius)?;
     positive("annulus", "outer_radius", outer_radius)?;
     if inner_radius >= outer_radius {
-        let reason = format!("`inner_radius` {inner_radius} is not below `outer_radius` {outer_radius}");
-        return Err(invalid("annulus", reason, "make the hole smaller"));
+        let remedy = "make the hole smaller";
+        let fault = ShapeFault::NotBelow { value: inner_radius, other: "outer_radius", bound: outer_radius, remedy };
+        return Err(invalid("annulus", "inner_radius", fault).into());
     }
     // From the outside in, so that the normal is +z.
     circles("annulus", columns, rows, |up| (outer_radius + up * (inner_radius - outer_radius), 0.0))
 }
 
 /// Rows on circles given by (radius, height) as a function of the share of rows below.
-fn circles(shape: &str, columns: usize, rows: usize, circle: impl Fn(f64) -> (f64, f64)) -> Result<Surface, MeshError> {
-    at_least(shape, "columns", columns, 3)?;
-    at_least(shape, "rows", rows, 1)?;
-    face_count(shape, 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
+fn circles(
+    shape: &'static str,
+    columns: usize,
+    rows: usize,
+    circle: impl Fn(f64) -> (f64, f64),
+) -> Result<Surface, MeshError> {
+    at_least(shape, "columns", columns, LEAST_COLUMNS)?;
+    at_least(shape, "rows", rows, LEAST_ROWS)?;
+    face_count(shape, "columns", 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
     let layout = Rows::Staggered;
     let mut positions = Vec::with_capacity(columns * (rows + 1));
     for j in 0..=rows {
@@ -50,5 +56,5 @@ fn circles(shape: &str, columns: usize, rows: usize, circle: impl Fn(f64) -> (f6
             positions.push(DVec3::new(radius * cos, radius * sin, z));
         }
     }
-    embedded(positions, &grid_faces(columns, rows, rows + 1, layout))
+    Surface::from_positions(positions, &grid_faces(columns, rows, rows + 1, layout))
 }

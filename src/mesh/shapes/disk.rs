@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::embedded;
-use super::limits::{at_least, face_count, positive};
+use super::limits::{LEAST_RINGS, at_least, face_count, positive};
 use crate::mesh::{MeshError, Surface};
 
 /// A disk in the xy plane: a centre and `rings` rings, ring `k` with `6 k` vertices at distance
@@ -15,8 +14,8 @@ use crate::mesh::{MeshError, Surface};
 /// [`MeshError::Shape`] for a radius that is not positive, or no rings.
 pub fn disk(radius: f64, rings: usize) -> Result<Surface, MeshError> {
     positive("disk", "radius", radius)?;
-    at_least("disk", "rings", rings, 1)?;
-    face_count("disk", 6.0 * (rings as f64) * (rings as f64), "lower `rings`")?;
+    at_least("disk", "rings", rings, LEAST_RINGS)?;
+    face_count("disk", "rings", 6.0 * (rings as f64) * (rings as f64), "lower `rings`")?;
     let mut positions = vec![DVec3::ZERO];
     for k in 1..=rings {
         let r = radius * k as f64 / rings as f64;
@@ -40,5 +39,5 @@ pub fn disk(radius: f64, rings: usize) -> Result<Surface, MeshError> {
             }
         }
     }
-    embedded(positions, &faces)
+    Surface::from_positions(positions, &faces)
 }

@@ -2,10 +2,11 @@
 
 use glam::DVec2;
 
+use super::error::ShapeFault;
 use super::grid::{Rows, grid_faces};
-use super::limits::{at_least, face_count, finite, invalid};
+use super::limits::{LEAST_COLUMNS, LEAST_FLAT_TORUS_ROWS, at_least, face_count, finite, invalid};
+use super::shape::Grid;
 use crate::mesh::{Mesh, MeshError, Surface};
-use crate::scene::Grid;
 
 const SHAPE: &str = "flat_torus";
 
@@ -20,19 +21,19 @@ const SHAPE: &str = "flat_torus";
 /// [`MeshError::Shape`] for fewer than 3 columns or rows, an odd number of rows in an equilateral grid,
 /// parallel or non-finite lattice vectors.
 pub fn flat_torus(a: [f64; 2], b: [f64; 2], columns: usize, rows: usize, grid: Grid) -> Result<Surface, MeshError> {
-    at_least(SHAPE, "columns", columns, 3)?;
-    at_least(SHAPE, "rows", rows, 3)?;
-    face_count(SHAPE, 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
+    at_least(SHAPE, "columns", columns, LEAST_COLUMNS)?;
+    at_least(SHAPE, "rows", rows, LEAST_FLAT_TORUS_ROWS)?;
+    face_count(SHAPE, "columns", 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
     finite(SHAPE, "a", &a)?;
     finite(SHAPE, "b", &b)?;
     let (a, b) = (DVec2::from(a), DVec2::from(b));
     if a.perp_dot(b).abs() <= 1e-12 * a.length() * b.length() {
-        return Err(invalid(SHAPE, "`a` and `b` are parallel or zero", "give two independent vectors"));
+        return Err(invalid(SHAPE, "b", ShapeFault::Parallel).into());
     }
     let layout = match grid {
         Grid::Equilateral if rows % 2 == 1 => {
             let remedy = "give an even number, so that the shifted rows close up, or grid = \"square\"";
-            return Err(invalid(SHAPE, format!("`rows` is {rows}"), remedy));
+            return Err(invalid(SHAPE, "rows", ShapeFault::Odd { count: rows, remedy }).into());
         }
         Grid::Equilateral => Rows::Staggered,
         Grid::Square => Rows::Aligned,

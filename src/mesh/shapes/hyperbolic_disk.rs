@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec3;
 
 use super::editable::Editable;
-use super::limits::{at_least, face_count, invalid, positive};
+use super::error::ShapeFault;
+use super::limits::{LEAST_DISK_FACES, at_least, face_count, invalid, positive};
 use crate::mesh::{Mesh, MeshError, Surface};
 
 const SHAPE: &str = "hyperbolic_disk";
@@ -25,25 +26,22 @@ const ROUNDS: usize = 5;
 /// curvature allows.
 pub fn hyperbolic_disk(curvature: f64, radius: f64, faces: usize) -> Result<Surface, MeshError> {
     if !(curvature.is_finite() && curvature < 0.0) {
-        let remedy = "give a number below 0; shape = \"disk\" is flat";
-        return Err(invalid(SHAPE, format!("`curvature` is {curvature}"), remedy));
+        return Err(invalid(SHAPE, "curvature", ShapeFault::NotNegative(curvature)).into());
     }
     positive(SHAPE, "radius", radius)?;
-    at_least(SHAPE, "faces", faces, 6)?;
-    face_count(SHAPE, faces as f64, "lower `faces`")?;
+    at_least(SHAPE, "faces", faces, LEAST_DISK_FACES)?;
+    face_count(SHAPE, "faces", faces as f64, "lower `faces`")?;
     let unit = 1.0 / (-curvature).sqrt();
     let r = radius / unit;
     if !(1e-6..=20.0).contains(&r) {
-        let reason = format!("`radius` is {r} times 1/√−curvature");
-        return Err(invalid(SHAPE, reason, "choose a radius from 1e-6 to 20 times that"));
+        return Err(invalid(SHAPE, "radius", ShapeFault::RadiusOutOfRange(r)).into());
     }
     // Area of an equilateral triangle of edge h, nearly flat: √3/4 h².
     let area = 4.0 * PI * libm::pow(libm::sinh(r / 2.0), 2.0);
     let h = (area / faces as f64 / (3f64.sqrt() / 4.0)).sqrt();
     if h > 1.0 {
         let least = (area / (3f64.sqrt() / 4.0)).ceil();
-        let reason = format!("{faces} faces make edges {h:.2} long in units of the curvature, more than 1");
-        return Err(invalid(SHAPE, reason, format!("give at least {least} faces or a smaller radius")));
+        return Err(invalid(SHAPE, "faces", ShapeFault::TooCoarse { faces, edge: h, least }).into());
     }
     let rings = concentric_rings(r, h);
     let mut triangles = stitched(&rings);

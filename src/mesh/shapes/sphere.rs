@@ -4,10 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use super::embedded;
-use super::limits::{at_least, face_count, positive};
-use super::named_polyhedra::icosahedron;
-use super::polyhedron::subdivide;
+use super::limits::{LEAST_MERIDIANS, LEAST_PARALLELS, LEAST_SUBDIVISIONS, at_least, face_count, positive};
+use super::polyhedra::{icosahedron, subdivide};
 use crate::mesh::{MeshError, Surface};
 
 /// An icosahedron whose edges are divided into `subdivisions` parts, projected to the sphere:
@@ -17,14 +15,14 @@ use crate::mesh::{MeshError, Surface};
 /// [`MeshError::Shape`] for a radius that is not positive, or no subdivisions.
 pub fn sphere(radius: f64, subdivisions: usize) -> Result<Surface, MeshError> {
     positive("sphere", "radius", radius)?;
-    at_least("sphere", "subdivisions", subdivisions, 1)?;
-    face_count("sphere", 20.0 * (subdivisions as f64) * (subdivisions as f64), "lower `subdivisions`")?;
+    at_least("sphere", "subdivisions", subdivisions, LEAST_SUBDIVISIONS)?;
+    face_count("sphere", "subdivisions", 20.0 * (subdivisions as f64) * (subdivisions as f64), "lower `subdivisions`")?;
     let (corners, triangles) = icosahedron();
     let (mut positions, faces) = subdivide(&corners, &triangles, subdivisions);
     for p in &mut positions {
         *p *= radius / p.length();
     }
-    embedded(positions, &faces)
+    Surface::from_positions(positions, &faces)
 }
 
 /// A sphere of `meridians` half circles and `parallels` circles between the poles, which are the first and
@@ -34,9 +32,14 @@ pub fn sphere(radius: f64, subdivisions: usize) -> Result<Surface, MeshError> {
 /// [`MeshError::Shape`] for a radius that is not positive, fewer than 3 meridians or no parallels.
 pub fn uv_sphere(radius: f64, meridians: usize, parallels: usize) -> Result<Surface, MeshError> {
     positive("uv_sphere", "radius", radius)?;
-    at_least("uv_sphere", "meridians", meridians, 3)?;
-    at_least("uv_sphere", "parallels", parallels, 1)?;
-    face_count("uv_sphere", 2.0 * meridians as f64 * parallels as f64, "lower `meridians` or `parallels`")?;
+    at_least("uv_sphere", "meridians", meridians, LEAST_MERIDIANS)?;
+    at_least("uv_sphere", "parallels", parallels, LEAST_PARALLELS)?;
+    face_count(
+        "uv_sphere",
+        "meridians",
+        2.0 * meridians as f64 * parallels as f64,
+        "lower `meridians` or `parallels`",
+    )?;
     let mut positions = vec![DVec3::new(0.0, 0.0, -radius)];
     for j in 1..=parallels {
         let (sin_polar, cos_polar) = libm::sincos(PI * j as f64 / (parallels + 1) as f64);
@@ -57,5 +60,5 @@ pub fn uv_sphere(radius: f64, meridians: usize, parallels: usize) -> Result<Surf
         }
         faces.push([vertex(i, parallels - 1), vertex(i + 1, parallels - 1), north]);
     }
-    embedded(positions, &faces)
+    Surface::from_positions(positions, &faces)
 }

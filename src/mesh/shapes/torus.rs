@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use glam::DVec3;
 
-use super::embedded;
+use super::error::ShapeFault;
 use super::grid::{Rows, grid_faces};
-use super::limits::{at_least, face_count, invalid, positive};
+use super::limits::{LEAST_COLUMNS, LEAST_TORUS_ROWS, at_least, face_count, invalid, positive};
 use crate::mesh::{MeshError, Surface};
 
 const SHAPE: &str = "torus";
@@ -21,14 +21,16 @@ pub fn torus(major_radius: f64, minor_radius: f64, columns: usize, rows: usize) 
     positive(SHAPE, "major_radius", major_radius)?;
     positive(SHAPE, "minor_radius", minor_radius)?;
     if minor_radius >= major_radius {
-        let reason = format!("`minor_radius` {minor_radius} is not below `major_radius` {major_radius}");
-        return Err(invalid(SHAPE, reason, "the ring would meet itself; make it thinner"));
+        let remedy = "make the ring thinner, so that it does not meet itself";
+        let fault = ShapeFault::NotBelow { value: minor_radius, other: "major_radius", bound: major_radius, remedy };
+        return Err(invalid(SHAPE, "minor_radius", fault).into());
     }
-    at_least(SHAPE, "columns", columns, 3)?;
-    at_least(SHAPE, "rows", rows, 4)?;
-    face_count(SHAPE, 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
+    at_least(SHAPE, "columns", columns, LEAST_COLUMNS)?;
+    at_least(SHAPE, "rows", rows, LEAST_TORUS_ROWS)?;
+    face_count(SHAPE, "columns", 2.0 * columns as f64 * rows as f64, "lower `columns` or `rows`")?;
     if rows % 2 == 1 {
-        return Err(invalid(SHAPE, format!("`rows` is {rows}"), "give an even number, so that shifted rows close up"));
+        let remedy = "give an even number, so that shifted rows close up";
+        return Err(invalid(SHAPE, "rows", ShapeFault::Odd { count: rows, remedy }).into());
     }
     let layout = Rows::Staggered;
     let mut positions = Vec::with_capacity(columns * rows);
@@ -40,5 +42,5 @@ pub fn torus(major_radius: f64, minor_radius: f64, columns: usize, rows: usize) 
             positions.push(DVec3::new(distance * cos, distance * sin, minor_radius * sin_minor));
         }
     }
-    embedded(positions, &grid_faces(columns, rows, rows, layout))
+    Surface::from_positions(positions, &grid_faces(columns, rows, rows, layout))
 }

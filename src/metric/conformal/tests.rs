@@ -2,9 +2,9 @@
 
 use super::target::{BoundaryCondition, CurvatureTarget, Goal, InteriorCurvature, Region};
 use super::triangulation::Triangulation;
+use crate::mesh::shapes::PolyhedronSource;
 use crate::mesh::{Mesh, Surface, VertexId, shapes};
 use crate::metric::Metric;
-use crate::scene::PolyhedronSource;
 
 /// Numbers in [−1, 1] without any pattern to speak of.
 fn noise(n: usize, seed: u64) -> Vec<f64> {

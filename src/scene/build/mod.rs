@@ -5,6 +5,7 @@
 mod bending;
 mod clock;
 mod faults;
+mod mesh;
 mod metric;
 mod numbers;
 mod phases;
@@ -15,14 +16,3 @@ mod start;
 pub use clock::clock_of;
 pub(super) use phases::degrees;
 pub use phases::phases_as_text;
-
-impl crate::advice::Advice for crate::mesh::MeshError {
-    fn remedy(&self) -> String {
-        self.to_string().rsplit_once("; ").map_or("correct it".into(), |(_, r)| r.into())
-    }
-}
-impl crate::advice::Advice for crate::mesh::SelectionError {
-    fn remedy(&self) -> String {
-        self.to_string().rsplit_once("; ").map_or("correct it".into(), |(_, r)| r.into())
-    }
-}

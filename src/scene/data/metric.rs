@@ -1,6 +1,7 @@
 //! `[metric]`: edge lengths, and how they change.
 
-use super::{NumberSection, SelectionSection};
+use super::NumberSection;
+use crate::mesh::Selection;
 use crate::metric::Interpolation;
 use crate::timeline::{Ease, Extrapolation};
 use std::path::PathBuf;
@@ -93,7 +94,7 @@ pub struct RicciSection {
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvatureRegionSection {
     /// Which vertices.
-    pub vertices: SelectionSection,
+    pub vertices: Selection,
     /// Total curvature in degrees, spread in proportion to area. What Gauss–Bonnet leaves is spread over the vertices
     /// in no region in the same way.
     pub total: f64,

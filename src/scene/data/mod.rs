@@ -6,6 +6,7 @@
 use std::path::PathBuf;
 
 use super::Source;
+use crate::mesh::Weld;
 
 mod checks;
 mod look;

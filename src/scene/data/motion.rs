@@ -3,6 +3,7 @@
 use super::NumberSection;
 use crate::evolve::Orientation;
 use crate::immersion::Noise;
+use crate::mesh::{EdgeSelection, Selection};
 use crate::timeline::Ease;
 use std::path::PathBuf;
 
@@ -60,27 +61,6 @@ impl Default for StartFrom {
     }
 }
 
-/// A set of vertices.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SelectionSection {
-    /// `vertices = [0, 7]`: by their numbers in the file, counted from 0.
-    Vertices(Vec<usize>),
-    /// `boundary = [0]`: all vertices of these boundary loops, in the order that `immerse check` lists.
-    Boundary(Vec<usize>),
-    /// `boundary = "outer"`: of each component that has a boundary, the loop around all its others; where there is none,
-    /// or nothing is known of places, the longest.
-    OuterBoundary,
-    /// `boundary = "longest"`: of each component that has a boundary, its longest loop by the places of
-    /// its vertices; where there are none, the one with the most edges.
-    LongestBoundary,
-    /// `box = [[x, y, z], [x, y, z]]`: inside the box with these opposite corners, faces included.
-    Box([[f64; 3]; 2]),
-    /// `ball = [x, y, z, radius]`: inside.
-    Ball([f64; 4]),
-    /// `nearest = [[x, y, z]]`: the vertex nearest to each of these points.
-    Nearest(Vec<[f64; 3]>),
-}
-
 /// `[bending]`: target bending angles (Sec. 6.3).
 #[derive(Clone, Debug, PartialEq)]
 pub struct BendingSection {
@@ -114,20 +94,11 @@ pub struct BendingRegionSection {
     pub angle: NumberSection,
 }
 
-/// A set of edges.
-#[derive(Clone, Debug, PartialEq)]
-pub enum EdgeSelection {
-    /// `edges = [[0, 1]]`: by the numbers of their ends in the file. None may be on the boundary.
-    Edges(Vec<[usize; 2]>),
-    /// The interior edges with both ends selected.
-    Between(SelectionSection),
-}
-
 /// `[[pin]]`: vertices held in place or led along (Sec. 5.4.1).
 #[derive(Clone, Debug, PartialEq)]
 pub struct PinSection {
     /// Which.
-    pub vertices: SelectionSection,
+    pub vertices: Selection,
     /// Where they belong at rest, in order of `vertices`; empty means where the mesh's positions are.
     pub positions: Vec<[f64; 3]>,
     /// Where each goes from there: formulas of x, y, z of that place, time and the parameters.

@@ -11,7 +11,7 @@ use exr::prelude::{AnyChannels, FlatSamples, Layer, read_first_flat_layer_from_f
 use glam::{DQuat, DVec3};
 use immerse::{
     cache::{Cache, Film, FrameReport, FrameState},
-    mesh::{Mesh, from_scene},
+    mesh::Mesh,
     movie::{Event, MovieError, make_pictures, make_poster},
     scene::Scene,
 };
@@ -53,7 +53,7 @@ fn make(scene: &Scene, folder: &Path, frames: &[usize]) -> Result<usize, MovieEr
 
 /// A ball that grows from frame to frame.
 fn growing_ball(folder: &Path, frames: usize) {
-    let surface = from_scene(&scene("[mesh]\nshape = 'sphere'\nsubdivisions = 2").mesh, Path::new("")).expect("a ball");
+    let surface = scene("[mesh]\nshape = 'sphere'\nsubdivisions = 2").surface().expect("a ball");
     let positions = surface.positions.expect("positions");
     let sizes = (0..frames).map(|k| 1.0 + 0.1 * k as f64);
     let frames: Vec<Vec<DVec3>> = sizes.map(|size| positions.iter().map(|place| *place * size).collect()).collect();

@@ -4,9 +4,10 @@ use crate::support::Random;
 use glam::{DQuat, DVec3};
 use immerse::evolve::{Simulation, Unobserved};
 use immerse::immersion::{RigidMotion, frames_of_positions};
+use immerse::mesh::Selection;
 use immerse::mesh::Surface;
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::scene::{LengthSource, PinSection, Scene, SelectionSection, StartFrom};
+use immerse::scene::{LengthSource, PinSection, Scene, StartFrom};
 
 /// An egg that is no solid of revolution.
 fn egg() -> (Surface, Vec<DVec3>) {
@@ -118,7 +119,7 @@ fn a_relaxed_surface_lies_upon_the_mesh_unless_pins_hold_it_elsewhere() {
     assert!(distance(&at(&scene).positions, &reference) < 1e-9);
     let elsewhere = DVec3::new(5.0, 6.0, 7.0);
     scene.pins = vec![PinSection {
-        vertices: SelectionSection::Vertices(vec![0]),
+        vertices: Selection::Vertices(vec![0]),
         positions: vec![elsewhere.to_array()],
         formula: None,
         motion: None,

@@ -8,7 +8,7 @@ use immerse::frames::{Shell, energy};
 use immerse::immersion::{
     ConformalFactor, FieldInput, Fields, gaussian_curvatures, mean_curvatures, rimless_frames, spin_of_immersion,
 };
-use immerse::mesh::{Mesh, Surface, from_scene};
+use immerse::mesh::{Mesh, Surface};
 use immerse::metric::{Metric, lengths_of_positions};
 use immerse::render::{Field, FieldSpread, FieldValues};
 use immerse::scene::FieldName;
@@ -44,7 +44,7 @@ impl State {
 
 fn shape(text: &str) -> Surface {
     let scene = scene(&format!("[mesh]\n{text}"));
-    from_scene(&scene.mesh, &scene.folder).unwrap()
+    scene.surface().unwrap()
 }
 
 fn embedded_shape(text: &str) -> (Mesh, Vec<DVec3>) {

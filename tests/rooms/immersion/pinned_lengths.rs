@@ -5,8 +5,9 @@ use std::path::Path;
 
 use crate::support::{program, scene};
 use immerse::evolve::Simulation;
+use immerse::mesh::Selection;
 use immerse::mesh::{SelectionError, Surface, longest_loops, outer_loops, select_vertices, shapes};
-use immerse::scene::{Scene, SelectionSection};
+use immerse::scene::Scene;
 
 const DISK: &str = "[mesh]\nshape = 'disk'\nrings = 4\n[start]\nfrom = 'mesh'\n";
 
@@ -143,7 +144,7 @@ fn loops_by_what_they_are() {
     let Surface { mesh, positions, .. } = shapes::cylinder(1.0, 2.0, 12, 4).expect("a cylinder");
     assert_eq!(outer_loops(&mesh, positions.as_deref()), [0]);
     let closed = shapes::sphere(1.0, 2).expect("a sphere");
-    let found = select_vertices(&SelectionSection::OuterBoundary, &closed.mesh, closed.places());
+    let found = select_vertices(&Selection::OuterBoundary, &closed.mesh, closed.places());
     assert_eq!(found, Err(SelectionError::NoBoundary));
 }
 

@@ -6,10 +6,11 @@ use std::path::Path;
 use crate::support::program;
 use immerse::cache::Cache;
 use immerse::evolve::Simulation;
+use immerse::mesh::{EdgeSelection, Selection};
 use immerse::mesh::{
     SelectionError, Surface, VertexId, read, read_edge_lengths, read_positions, select_edges, select_vertices,
 };
-use immerse::scene::{EdgeSelection, Scene, SelectionSection};
+use immerse::scene::Scene;
 
 /// An octahedron whose vertices are 1, 3, 4, 6, 7 and 9 of eleven, counted from 0.
 const USED: [usize; 6] = [1, 3, 4, 6, 7, 9];
@@ -62,7 +63,7 @@ fn the_map_of_every_format() {
 fn selections() {
     let folder = tempfile::tempdir().expect("a folder");
     let Surface { mesh, positions, .. } = surface(folder.path());
-    let select = |v: Vec<usize>| select_vertices(&SelectionSection::Vertices(v), &mesh, positions.as_deref());
+    let select = |v: Vec<usize>| select_vertices(&Selection::Vertices(v), &mesh, positions.as_deref());
     assert_eq!(select(vec![9, 1, 4]), Ok([5, 0, 2].map(VertexId::new).to_vec()));
     assert_eq!(select(vec![5]), Err(SelectionError::DroppedVertex { vertex: 5 }));
     assert!(

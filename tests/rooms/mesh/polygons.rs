@@ -6,9 +6,9 @@ use std::path::Path;
 
 use crate::support::Random;
 use glam::{DMat3, DVec3};
+use immerse::mesh::shapes::PolyhedronSource;
 use immerse::mesh::{Surface, read, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::scene::PolyhedronSource;
 
 fn input(name: &str) -> Surface {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rooms/mesh/inputs/readers").join(name);

@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use glam::{DMat3, DVec3};
 use immerse::immersion::pinch_points;
+use immerse::mesh::shapes::PolyhedronSource;
 use immerse::mesh::{Surface, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::scene::PolyhedronSource;
 
 fn saddle(subdivisions: usize) -> (Surface, Vec<DVec3>) {
     let source = PolyhedronSource::Named("genus_two_saddle".to_owned());

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 use immerse::mesh::{EdgeId, Mesh, SelectionError, Surface, VertexId, select_edges, select_vertices, shapes};
-use immerse::scene::{EdgeSelection, SelectionSection as Select};
+use immerse::mesh::{EdgeSelection, Selection as Select};
 
 fn indices(vertices: &[VertexId]) -> Vec<usize> {
     vertices.iter().map(|v| v.index()).collect()
@@ -103,7 +103,8 @@ fn the_nearest_to_points() {
 
 #[test]
 fn places_are_positions_or_coordinates() {
-    let flat = shapes::flat_torus([1.0, 0.0], [0.0, 1.0], 8, 6, immerse::scene::Grid::Square).expect("a flat torus");
+    let flat =
+        shapes::flat_torus([1.0, 0.0], [0.0, 1.0], 8, 6, immerse::mesh::shapes::Grid::Square).expect("a flat torus");
     assert!(flat.positions.is_none());
     let coordinates = flat.coordinates.clone().expect("coordinates");
     let left: Vec<usize> = (0..coordinates.len()).filter(|&v| coordinates[v].x <= 0.3).collect();

@@ -1,19 +1,19 @@
 //! Topology, orientation, sizes and triangle quality of every generated shape.
 
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 
 use glam::DVec3;
-use immerse::mesh::{Mesh, Surface, from_scene};
-use immerse::scene::{Body, Grid, MeshSection, Operation, PolyhedronSource, Scene, Shape, Solid};
+use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Shape, Solid};
+use immerse::mesh::{Mesh, Surface};
+use immerse::scene::Scene;
 
 fn make(shape: Shape) -> Surface {
-    from_scene(&MeshSection::Shape(shape), Path::new("")).unwrap()
+    shape.surface().unwrap()
 }
 
 #[track_caller]
 fn refused(shape: Shape, words: &[&str]) {
-    let message = from_scene(&MeshSection::Shape(shape), Path::new("")).map(|_| ()).unwrap_err().to_string();
+    let message = shape.surface().map(|_| ()).unwrap_err().to_string();
     for word in words {
         assert!(message.contains(word), "`{word}` is missing in: {message}");
     }
@@ -259,7 +259,7 @@ fn genus_two_polyhedron() {
 #[test]
 fn each_duck_has_the_tail_of_the_other() {
     let scene = Scene::read("scenes/double_duck.toml".as_ref()).expect("a scene");
-    let surface = from_scene(&scene.mesh, &scene.folder).expect("ducks");
+    let surface = scene.surface().expect("ducks");
     assert_topology(&surface.mesh, -2, 2, 0);
     let faces = surface.mesh.face_count() as f64;
     assert!((faces / 11608.0 - 1.0).abs() < 0.03, "{faces} faces, not about as many as Fig. 18");
@@ -500,6 +500,7 @@ fn impossible_parameters_are_refused_with_a_remedy() {
 fn files_are_found_next_to_the_scene() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("one.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let surface = from_scene(&MeshSection::File("one.obj".into()), folder.path()).unwrap();
+    let scene = Scene::parse("[mesh]\nfile = 'one.obj'", "film", folder.path()).unwrap();
+    let surface = scene.surface().unwrap();
     assert_topology(&surface.mesh, 1, 0, 1);
 }

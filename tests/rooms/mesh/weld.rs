@@ -6,8 +6,8 @@ use std::path::Path;
 
 use crate::support::{Random, program};
 use glam::DVec3;
+use immerse::mesh::Weld;
 use immerse::mesh::{Surface, VertexId, read, read_edge_lengths, read_welded, shapes};
-use immerse::scene::Weld;
 
 type Triangles = Vec<[u32; 3]>;
 

@@ -123,8 +123,7 @@ fn a_negative_cone_on_an_even_sphere() {
             fs::write(folder.path().join("c.csv"), format!("{vertex},{degrees}\n")).expect("a file");
             let text = format!("{EVEN}{RICCI}csv = 'c.csv'\namount = 1\n");
             let scene = Scene::parse(&text, "cone", folder.path()).expect("a scene");
-            let simulation =
-                scene.simulation().unwrap_or_else(|error| panic!("{vertex} {degrees}: {error}"));
+            let simulation = scene.simulation().unwrap_or_else(|error| panic!("{vertex} {degrees}: {error}"));
             let curvature = |v: usize| simulation.metric().curvature(simulation.mesh(), VertexId::new(v)).to_degrees();
             assert!((curvature(vertex) - degrees).abs() < 1e-8, "{vertex} {degrees}: {}", curvature(vertex));
             // All others share the rest, each between half and twice the mean.

@@ -25,7 +25,7 @@ struct Case {
 fn try_case(text: &str, folder: &Path) -> Result<Case, AtKey<MetricError>> {
     let scene = scene(text);
     let parameters = Parameters::from_scene(&scene.parameters).expect("parameters");
-    let surface = mesh::from_scene(&scene.mesh, folder).expect("a surface");
+    let surface = scene.surface().expect("a surface");
     let program = MetricProgram::from_scene(&scene.metric, folder, &surface, &parameters)?;
     Ok(Case { surface, program })
 }

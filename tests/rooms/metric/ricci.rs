@@ -1,12 +1,12 @@
 //! Discrete conformal scaling: Newton to prescribed curvature, and the flow in time.
 
 use crate::support::Random;
+use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Solid};
 use immerse::mesh::{EdgeId, Mesh, Surface, VertexId, shapes};
 use immerse::metric::{
     BoundaryCondition, Conformal, CurvatureTarget, InteriorCurvature, Metric, MetricError, Region, RicciFlow,
     lengths_of_positions, uniformize,
 };
-use immerse::scene::{Body, Grid, Operation, PolyhedronSource, Solid};
 use std::f64::consts::{PI, TAU};
 
 fn lengths(surface: &Surface) -> Vec<f64> {

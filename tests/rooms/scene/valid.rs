@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use immerse::mesh::Selection;
+use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Shape, Solid};
 use immerse::scene::*;
 
 fn parse(text: &str) -> Scene {
@@ -98,17 +100,12 @@ class = "01"
         scene.pins,
         [
             PinSection {
-                vertices: SelectionSection::Vertices(vec![4, 2]),
+                vertices: Selection::Vertices(vec![4, 2]),
                 positions: vec![[0.0, 0.0, 1.0], [1.0, 2.5, -0.3]],
                 formula: None,
                 motion: None,
             },
-            PinSection {
-                vertices: SelectionSection::Vertices(vec![0]),
-                positions: vec![],
-                formula: None,
-                motion: None,
-            },
+            PinSection { vertices: Selection::Vertices(vec![0]), positions: vec![], formula: None, motion: None },
         ]
     );
     assert_eq!(scene.clock.frames, 240);

@@ -40,13 +40,13 @@ const INSIDE_FIRST: [[usize; 4]; 16] = [
 ];
 
 /// A box of `cells` cubes of edge `spacing`.
-pub(super) struct Grid {
+pub(super) struct CubeGrid {
     pub(super) low: DVec3,
     pub(super) spacing: f64,
     pub(super) cells: [usize; 3],
 }
 
-impl Grid {
+impl CubeGrid {
     fn point(&self, [i, j, k]: [usize; 3]) -> DVec3 {
         self.low + self.spacing * DVec3::new(i as f64, j as f64, k as f64)
     }
@@ -58,7 +58,7 @@ impl Grid {
 
 /// Vertices and triangles between negative (inside) and other values, oriented outward. The function has
 /// to be positive on the boundary of the grid for the surface to be closed.
-pub(super) fn isosurface(grid: &Grid, value: impl Fn(DVec3) -> f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(super) fn isosurface(grid: &CubeGrid, value: impl Fn(DVec3) -> f64) -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let [nx, ny, nz] = grid.cells;
     let mut values = Vec::with_capacity((nx + 1) * (ny + 1) * (nz + 1));
     for k in 0..=nz {

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 
-use super::editable::{Diamond, Editable};
+use crate::mesh::shapes::editable::{Diamond, Editable};
 
 /// Rounds with splits and collapses, and rounds of Delaunay flips and smoothing after them.
 const ROUNDS: usize = 8;

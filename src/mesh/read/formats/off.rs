@@ -3,10 +3,12 @@
 use glam::DVec3;
 
 use super::polygons::Polygons;
-use super::{Problem, Soup, index, lines, number, point};
-use crate::scene::decode;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::{index, lines, number, point};
+use crate::text::decode;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     let text = decode(bytes);
     let mut lines = lines(&text.text).peekable();
     let (mut line, first) = lines.next().ok_or_else(|| Problem::new("the file is empty", "give an OFF file"))?;
@@ -19,14 +21,15 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
             lines.next().ok_or_else(|| Problem::at(line, "the counts are missing", "write `vertices faces edges`"))?;
     }
     let mut words = counts.split_ascii_whitespace();
-    let vertex_count = index(words.next(), line, "the vertex count")? as usize;
-    let face_count = index(words.next(), line, "the face count")? as usize;
+    let vertex_count = index(words.next(), line, "the vertex count")?;
+    let face_count = index(words.next(), line, "the face count")?;
     // No vertex takes fewer than six bytes ("0 0 0\n"), no face fewer than two.
-    if 6 * vertex_count + 2 * face_count > text.text.len() + 8 {
+    if 6 * u64::from(vertex_count) + 2 * u64::from(face_count) > text.text.len() as u64 + 8 {
         let reason =
             format!("{vertex_count} vertices and {face_count} faces are claimed, too many for {} bytes", bytes.len());
         return Err(Problem::at(line, reason, "correct the counts, or restore the rest of the file"));
     }
+    let (vertex_count, face_count) = (vertex_count as usize, face_count as usize);
     let cut_short = |what: &str, n: usize, count: usize| {
         Problem::new(
             format!("the file ends after {n} of {count} {what}"),
@@ -63,7 +66,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
 const BINARY: &str = "save it as ascii OFF; the binary form is not read";
 
 /// Whether a line begins an OFF file.
-pub(super) fn is_header(line: &str) -> bool {
+pub(in crate::mesh::read) fn is_header(line: &str) -> bool {
     split_header(line).is_some()
 }
 

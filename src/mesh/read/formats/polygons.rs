@@ -2,8 +2,10 @@
 
 use glam::DVec3;
 
-use super::{Problem, Soup};
+use crate::mesh::limits::check_size;
 use crate::mesh::polygon;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
 
 /// Polygons with any number of corners, which may name vertices that come later in the file.
 #[derive(Default)]
@@ -57,19 +59,20 @@ impl Polygons {
     /// Cuts all of them, in their order.
     ///
     /// # Errors
-    /// [`Problem`] for an outline that crosses itself.
+    /// [`Problem`] for an outline that crosses itself, for no polygons at all, and for more elements than a mesh may have.
     pub fn cut(self, vertex_count: usize, positions: Option<Vec<DVec3>>) -> Result<Soup, Problem> {
+        check_size(vertex_count, self.triangle_count()).map_err(|error| Problem::of_size(&error))?;
         let mut soup = Soup { vertex_count, positions, ..Soup::default() };
         let mut start = 0;
-        for (n, &(end, line)) in self.ends.iter().enumerate() {
+        for (n, &(end, line)) in (0_u32..).zip(&self.ends) {
             polygon::cut(&self.corners[start..end], soup.positions.as_deref(), &mut soup.triangles).map_err(
                 |polygon::CrossesItself| Problem {
                     line,
-                    reason: format!("the outline of face {} crosses or touches itself", n + self.counted_from),
-                    remedy: "cut the face into simple polygons, or correct the order of its corners",
+                    reason: format!("the outline of face {} crosses or touches itself", n as usize + self.counted_from),
+                    remedy: "cut the face into simple polygons, or correct the order of its corners".into(),
                 },
             )?;
-            soup.polygons.resize(soup.triangles.len(), n as u32);
+            soup.polygons.resize(soup.triangles.len(), n);
             if let Some(line) = line {
                 soup.lines.resize(soup.triangles.len(), line);
             }

@@ -3,10 +3,12 @@
 use std::borrow::Cow;
 
 use super::polygons::Polygons;
-use super::{Problem, Soup, lines, point};
-use crate::scene::decode;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::{lines, point};
+use crate::text::decode;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     // Names in material lines may be in any encoding and do not matter.
     let text = decode(bytes).text;
     let mut positions = Vec::new();

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
-use super::{Problem, lines, number, parse_number};
-use crate::scene::decode;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::words::{self, lines, number, parse_number};
+use crate::text::decode;
 
 const COMMA: &str = "write a decimal point, or separate columns by `;` where a comma is the decimal mark";
 
@@ -84,8 +85,8 @@ impl<'a> Row<'a> {
         let whole = field.and_then(|field| parse_number(&self.with_point(field))).filter(|x| x.fract() == 0.0);
         match whole {
             Some(x) if (0.0..=f64::from(u32::MAX)).contains(&x) => Ok(x as u32),
-            _ => super::index(field, self.line, what).map_err(|problem| match field {
-                Some(field) if field.contains(char::is_whitespace) => Problem { remedy: COMMA, ..problem },
+            _ => words::index(field, self.line, what).map_err(|problem| match field {
+                Some(field) if field.contains(char::is_whitespace) => Problem { remedy: COMMA.into(), ..problem },
                 _ => problem,
             }),
         }

@@ -1,14 +1,19 @@
 //! Surfaces of solids: isosurface, then isotropic remeshing.
 
+mod isosurface;
+mod remesh;
+mod solid;
+
 use glam::DVec3;
 
-use super::embedded;
-use super::isosurface::{Grid, isosurface};
+use isosurface::{CubeGrid, isosurface};
+use remesh::Remesher;
+use solid::Field;
+
+use super::error::ShapeFault;
 use super::limits::{face_count, invalid, positive};
-use super::remesh::Remesher;
-use super::solid::Field;
+use super::shape::Solid;
 use crate::mesh::{MeshError, Surface, repair};
-use crate::scene::Solid;
 
 const SHAPE: &str = "implicit";
 /// Grid spacing in units of the edge length; finer than the result, so that remeshing has a choice.
@@ -33,21 +38,17 @@ pub fn implicit(solid: &Solid, edge_length: f64) -> Result<Surface, MeshError> {
     let cells = ((high - low + 2.0 * margin) / spacing).ceil();
     let count = cells.x * cells.y * cells.z;
     if count > CELL_LIMIT || count.is_nan() {
-        let reason = format!("edges of {edge_length} need a grid of {count:.3e} cells, {CELL_LIMIT:.0e} are the limit");
-        return Err(invalid(SHAPE, reason, "raise `edge_length` or make the solid smaller"));
+        let fault = ShapeFault::TooManyCells { edge_length, cells: count, limit: CELL_LIMIT };
+        return Err(invalid(SHAPE, "edge_length", fault).into());
     }
-    let grid = Grid { low: low - margin, spacing, cells: cells.to_array().map(|n| n as usize) };
+    let grid = CubeGrid { low: low - margin, spacing, cells: cells.to_array().map(|n| n as usize) };
     let (positions, triangles) = isosurface(&grid, |p| field.at(p));
     if triangles.is_empty() {
-        return Err(invalid(
-            SHAPE,
-            format!("no surface was found at edge length {edge_length}"),
-            "lower `edge_length`, or make sure that something is left of the solid",
-        ));
+        return Err(invalid(SHAPE, "edge_length", ShapeFault::NoSurface { edge_length }).into());
     }
-    face_count(SHAPE, triangles.len() as f64, "raise `edge_length`")?;
+    face_count(SHAPE, "edge_length", triangles.len() as f64, "raise `edge_length`")?;
     let (positions, triangles) = Remesher::new(|p| field.at(p), edge_length, positions, &triangles).run();
     // Compacts; the triangles are oriented already.
     let kept = repair(positions.len(), &triangles)?;
-    embedded(kept.input_vertices.iter().map(|&v| positions[v]).collect(), &kept.mesh.triangles())
+    Surface::from_positions(kept.input_vertices.iter().map(|&v| positions[v]).collect(), &kept.mesh.triangles())
 }

@@ -4,14 +4,15 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::content::{claimed_triangles, is_binary_stl};
-use super::{Problem, Soup, point};
-use crate::scene::decode;
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::point;
+use crate::text::decode;
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     // A binary file may begin with "solid". Its length tells, or else a zero among its first bytes: the count of
     // triangles has one, unless there are sixteen millions of them.
-    if is_binary_stl(bytes) {
+    if is_binary(bytes) {
         return binary(bytes);
     }
     let start = decode(&bytes[..bytes.len().min(START)]);
@@ -28,6 +29,17 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     }
 }
 
+/// Whether these bytes are a binary STL file, by their length, which follows from the number of triangles that it claims.
+pub(in crate::mesh::read) fn is_binary(bytes: &[u8]) -> bool {
+    claimed_triangles(bytes).is_some_and(|count| count > 0 && bytes.len() as u64 == 84 + 50 * count)
+}
+
+/// The number of triangles that a binary STL file says it has.
+fn claimed_triangles(bytes: &[u8]) -> Option<u64> {
+    let field = bytes.get(80..84)?;
+    Some(u32::from_le_bytes(field.try_into().ok()?).into())
+}
+
 /// As much of a file as shows whether it is a text.
 const START: usize = 1024;
 
@@ -39,13 +51,18 @@ struct Merged {
 }
 
 impl Merged {
-    fn vertex(&mut self, p: DVec3) -> u32 {
+    fn vertex(&mut self, p: DVec3) -> Result<u32, Problem> {
         // Adding zero turns -0 into +0.
         let key = p.to_array().map(|x| (x + 0.0).to_bits());
-        *self.numbers.entry(key).or_insert_with(|| {
-            self.positions.push(p);
-            self.positions.len() as u32 - 1
-        })
+        if let Some(&known) = self.numbers.get(&key) {
+            return Ok(known);
+        }
+        let number = u32::try_from(self.positions.len());
+        let number =
+            number.map_err(|_| Problem::new("the file has too many different points", "use a coarser mesh"))?;
+        self.positions.push(p);
+        self.numbers.insert(key, number);
+        Ok(number)
     }
 
     fn soup(self, triangles: Vec<[u32; 3]>, lines: Vec<usize>) -> Soup {
@@ -79,7 +96,7 @@ fn binary(bytes: &[u8]) -> Result<Soup, Problem> {
                     "every number must be finite",
                 ));
             }
-            *corner = merged.vertex(p);
+            *corner = merged.vertex(p)?;
         }
         triangles.push(triangle);
     }
@@ -122,7 +139,7 @@ fn ascii(bytes: &[u8]) -> Result<Soup, Problem> {
                 }
                 // Whatever it says, normals follow from the corners.
                 "normal" => words.by_ref().take(3).for_each(drop),
-                "vertex" => corners.push(merged.vertex(point(&mut words, line)?)),
+                "vertex" => corners.push(merged.vertex(point(&mut words, line)?)?),
                 "endfacet" => match (corners.as_slice(), facet.take()) {
                     (&[a, b, c], Some(start)) => {
                         triangles.push([a, b, c]);

@@ -1,9 +1,9 @@
 //! The header of a PLY file.
 
-use super::Problem;
+use crate::mesh::read::problem::Problem;
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Format {
+pub(super) enum Encoding {
     Ascii,
     LittleEndian,
     BigEndian,
@@ -66,8 +66,9 @@ pub(super) struct Element {
 
 impl Element {
     /// The fewest bytes one of these can take: lists may be empty, ascii words have a digit and a space.
-    pub fn least_size(&self, format: Format) -> u64 {
-        let size = |p: &Property| if format == Format::Ascii { 2 } else { p.list.unwrap_or(p.scalar).size() as u64 };
+    pub fn least_size(&self, encoding: Encoding) -> u64 {
+        let size =
+            |p: &Property| if encoding == Encoding::Ascii { 2 } else { p.list.unwrap_or(p.scalar).size() as u64 };
         self.properties.iter().map(size).sum()
     }
 
@@ -80,7 +81,7 @@ impl Element {
 }
 
 pub(super) struct Header<'a> {
-    pub format: Format,
+    pub encoding: Encoding,
     pub elements: Vec<Element>,
     /// What follows, and the number of its first line.
     pub body: &'a [u8],
@@ -89,7 +90,7 @@ pub(super) struct Header<'a> {
 
 impl Header<'_> {
     pub fn parse(bytes: &[u8]) -> Result<Header<'_>, Problem> {
-        let mut format = None;
+        let mut encoding = None;
         let mut elements: Vec<Element> = Vec::new();
         let mut rest = bytes;
         // A byte of the body that looks like the second half of a line's end belongs to it only if all lines end so.
@@ -110,9 +111,9 @@ impl Header<'_> {
                     return Err(Problem::at(1, "the file does not begin with `ply`", "give a PLY file"));
                 }
                 [] | ["comment" | "obj_info", ..] => {}
-                ["format", "ascii", _] => format = Some(Format::Ascii),
-                ["format", "binary_little_endian", _] => format = Some(Format::LittleEndian),
-                ["format", "binary_big_endian", _] => format = Some(Format::BigEndian),
+                ["format", "ascii", _] => encoding = Some(Encoding::Ascii),
+                ["format", "binary_little_endian", _] => encoding = Some(Encoding::LittleEndian),
+                ["format", "binary_big_endian", _] => encoding = Some(Encoding::BigEndian),
                 ["element", name, count] => elements.push(Element {
                     name: (*name).into(),
                     count: count.parse().map_err(|_| malformed())?,
@@ -133,8 +134,8 @@ impl Header<'_> {
                 _ => return Err(malformed()),
             }
         }
-        let format = format.ok_or_else(|| Problem::new("the header has no `format` line", "export it again"))?;
-        Ok(Header { format, elements, body: rest, body_line: line + 1 })
+        let encoding = encoding.ok_or_else(|| Problem::new("the header has no `format` line", "export it again"))?;
+        Ok(Header { encoding, elements, body: rest, body_line: line + 1 })
     }
 }
 

@@ -2,44 +2,59 @@
 
 use glam::{DMat3, DVec3};
 
-use crate::mesh::Mesh;
-
 type Polyhedron = (Vec<DVec3>, Vec<Vec<usize>>);
 
+/// Polyhedra by their names.
+const ALL: [(&str, fn() -> Polyhedron); 7] = [
+    ("tetrahedron", tetrahedron),
+    ("cube", cube),
+    ("octahedron", octahedron),
+    ("dodecahedron", dodecahedron),
+    ("icosahedron", || {
+        let (corners, triangles) = icosahedron();
+        (corners, triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect())
+    }),
+    ("genus_two", genus_two),
+    ("genus_two_saddle", genus_two_saddle),
+];
+
+/// The names of all built-in polyhedra.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    ALL.into_iter().map(|(name, _)| name)
+}
+
 pub(super) fn named(name: &str) -> Option<Polyhedron> {
-    Some(match name {
-        "tetrahedron" => on_unit_sphere(
-            &[[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]],
-            &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2]],
-        ),
-        "cube" => {
-            let corners: Vec<[f64; 3]> =
-                (0..8).map(|v| [v & 1, v >> 1 & 1, v >> 2].map(|bit| if bit == 1 { 1.0 } else { -1.0 })).collect();
-            on_unit_sphere(
-                &corners,
-                &[&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]],
-            )
-        }
-        "octahedron" => on_unit_sphere(
-            &[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
-            &[&[0, 2, 4], &[2, 1, 4], &[1, 3, 4], &[3, 0, 4], &[2, 0, 5], &[1, 2, 5], &[3, 1, 5], &[0, 3, 5]],
-        ),
-        "icosahedron" => {
-            let (corners, triangles) = icosahedron();
-            (corners, triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect())
-        }
-        "dodecahedron" => dodecahedron()?,
-        "genus_two" => genus_two(),
-        "genus_two_saddle" => genus_two_saddle(),
-        _ => return None,
-    })
+    ALL.into_iter().find(|(known, _)| *known == name).map(|(_, polyhedron)| polyhedron())
+}
+
+fn tetrahedron() -> Polyhedron {
+    on_unit_sphere(
+        &[[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]],
+        &[&[0, 1, 2], &[0, 2, 3], &[0, 3, 1], &[1, 3, 2]],
+    )
+}
+
+fn cube() -> Polyhedron {
+    let corners: Vec<[f64; 3]> =
+        (0..8).map(|v| [v & 1, v >> 1 & 1, v >> 2].map(|bit| if bit == 1 { 1.0 } else { -1.0 })).collect();
+    on_unit_sphere(
+        &corners,
+        &[&[0, 2, 3, 1], &[4, 5, 7, 6], &[0, 1, 5, 4], &[2, 6, 7, 3], &[0, 4, 6, 2], &[1, 3, 7, 5]],
+    )
+}
+
+fn octahedron() -> Polyhedron {
+    on_unit_sphere(
+        &[[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]],
+        &[&[0, 2, 4], &[2, 1, 4], &[1, 3, 4], &[3, 0, 4], &[2, 0, 5], &[1, 2, 5], &[3, 1, 5], &[0, 3, 5]],
+    )
 }
 
 fn on_unit_sphere(corners: &[[f64; 3]], polygons: &[&[usize]]) -> Polyhedron {
     (corners.iter().map(|&v| DVec3::from(v).normalize()).collect(), polygons.iter().map(|p| p.to_vec()).collect())
 }
 
-pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
+pub(in crate::mesh::shapes) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     let golden = (1.0 + 5f64.sqrt()) / 2.0;
     let mut corners = Vec::with_capacity(12);
     for (long, short) in [(golden, 1.0), (golden, -1.0), (-golden, 1.0), (-golden, -1.0)] {
@@ -64,12 +79,19 @@ pub(super) fn icosahedron() -> (Vec<DVec3>, Vec<[u32; 3]>) {
 }
 
 /// Dual to the icosahedron: a corner per face, a pentagon per corner.
-fn dodecahedron() -> Option<Polyhedron> {
+fn dodecahedron() -> Polyhedron {
     let (corners, triangles) = icosahedron();
-    let mesh = Mesh::from_faces(corners.len(), &triangles).ok()?;
     let centers = triangles.iter().map(|t| t.map(|v| corners[v as usize]).iter().sum::<DVec3>().normalize()).collect();
-    let pentagons = mesh.vertices().map(|v| mesh.outgoing(v).map(|h| h.face().index()).collect()).collect();
-    Some((centers, pentagons))
+    let pentagon = |v: u32| {
+        let from = |k: usize, t: &[u32; 3]| [t[k % 3], t[(k + 1) % 3]];
+        // The next triangle counterclockwise begins with the side that this one ends with.
+        let next = |&f: &usize| {
+            let end = (0..3).map(|k| from(k, &triangles[f])).find(|side| side[1] == v)?;
+            triangles.iter().position(|t| (0..3).any(|k| from(k, t) == [end[1], end[0]]))
+        };
+        std::iter::successors(triangles.iter().position(|t| t.contains(&v)), next).take(5).collect()
+    };
+    (centers, (0..12).map(pentagon).collect())
 }
 
 /// A block of 5 × 3 × 1 unit cubes without the second and the fourth of the middle row.

@@ -5,19 +5,21 @@
 
 use glam::DVec3;
 
-use super::ply_header::{Element, Format, Header, Property, Scalar};
+use super::ply_header::{Element, Encoding, Header, Property, Scalar};
 use super::polygons::Polygons;
-use super::{Problem, Soup, parse_number};
-use crate::scene::{decode, without_mark};
+use crate::mesh::read::problem::Problem;
+use crate::mesh::read::soup::Soup;
+use crate::mesh::read::words::parse_number;
+use crate::text::{decode, without_mark};
 
 const CUT_SHORT: &str = "correct the header's counts, or restore the rest of the file";
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
+pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
     let bytes = without_mark(bytes);
     // Numbers that are written out are a text like any other, in any encoding; a binary file is none.
     let text;
     let header = match Header::parse(bytes) {
-        Ok(header) if header.format != Format::Ascii => header,
+        Ok(header) if header.encoding != Encoding::Ascii => header,
         otherwise => {
             text = decode(bytes);
             if !text.is_text() {
@@ -26,11 +28,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
             Header::parse(text.text.as_bytes())?
         }
     };
-    let mut body = Body { format: header.format, bytes: header.body, line: header.body_line };
+    let mut body = Body { encoding: header.encoding, bytes: header.body, line: header.body_line };
     let mut positions = None;
     let mut polygons = None;
     for element in &header.elements {
-        let least = element.least_size(body.format).max(1);
+        let least = element.least_size(body.encoding).max(1);
         // One byte of grace for a last line without its end.
         if element.count > (body.bytes.len() as u64 + 1) / least {
             return Err(Problem::at(
@@ -140,22 +142,22 @@ fn strips(element: &Element, body: &mut Body, polygons: &mut Polygons) -> Result
 
 /// What follows the header; values are taken off its front.
 struct Body<'a> {
-    format: Format,
+    encoding: Encoding,
     bytes: &'a [u8],
     line: usize,
 }
 
 impl<'a> Body<'a> {
     fn line(&self) -> Option<usize> {
-        (self.format == Format::Ascii).then_some(self.line)
+        (self.encoding == Encoding::Ascii).then_some(self.line)
     }
 
     fn problem(&self, reason: String) -> Problem {
-        Problem { line: self.line(), reason, remedy: "correct it, or export the file again" }
+        Problem { line: self.line(), reason, remedy: "correct it, or export the file again".into() }
     }
 
     fn cut_short(&self) -> Problem {
-        Problem { line: self.line(), reason: "the file ends too early".into(), remedy: CUT_SHORT }
+        Problem { line: self.line(), reason: "the file ends too early".into(), remedy: CUT_SHORT.into() }
     }
 
     /// A number as that of a vertex.
@@ -171,7 +173,7 @@ impl<'a> Body<'a> {
     fn length(&mut self, property: &Property) -> Result<usize, Problem> {
         let Some(kind) = property.list else { return Ok(1) };
         let length = self.value(kind)?;
-        let least = if self.format == Format::Ascii { 2 } else { property.scalar.size() };
+        let least = if self.encoding == Encoding::Ascii { 2 } else { property.scalar.size() };
         let most = ((self.bytes.len() + 1) / least) as f64;
         if length.fract() != 0.0 || !(0.0..=most).contains(&length) {
             return Err(self.problem(format!("a list claims {length} values, but the file ends before that many")));
@@ -190,8 +192,8 @@ impl<'a> Body<'a> {
     /// Passes over a property; what its words say does not matter.
     fn skip(&mut self, property: &Property) -> Result<(), Problem> {
         for _ in 0..self.length(property)? {
-            match self.format {
-                Format::Ascii => drop(self.word()?),
+            match self.encoding {
+                Encoding::Ascii => drop(self.word()?),
                 _ => drop(self.value(property.scalar)?),
             }
         }
@@ -199,7 +201,7 @@ impl<'a> Body<'a> {
     }
 
     fn value(&mut self, kind: Scalar) -> Result<f64, Problem> {
-        if self.format == Format::Ascii {
+        if self.encoding == Encoding::Ascii {
             let word = self.word()?;
             return parse_number(word).ok_or_else(|| self.problem(format!("`{word}` is not a number")));
         }
@@ -210,7 +212,7 @@ impl<'a> Body<'a> {
         self.bytes = rest;
         let mut b = [0; 8];
         b[..size].copy_from_slice(taken);
-        if self.format == Format::BigEndian {
+        if self.encoding == Encoding::BigEndian {
             b[..size].reverse();
         }
         Ok(match kind {
@@ -246,7 +248,7 @@ impl<'a> Body<'a> {
 
     /// The line of the next word, where there are lines.
     fn next_line(&mut self) -> Option<usize> {
-        (self.format == Format::Ascii).then(|| {
+        (self.encoding == Encoding::Ascii).then(|| {
             self.pass_blanks();
             self.line
         })

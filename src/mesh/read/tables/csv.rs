@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::table::Table;
-use super::{Problem, read_bytes};
+use crate::mesh::read::problem::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 
 /// Reads one length per edge, in edge order, from lines `u,v,length`.

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::limits::{finite, invalid, positive};
-use crate::mesh::MeshError;
-use crate::scene::{Body, Operation, Solid};
+use crate::mesh::shapes::error::{ShapeError, ShapeFault};
+use crate::mesh::shapes::limits::{finite, invalid, positive};
+use crate::mesh::shapes::shape::{Body, Operation, Solid};
 
 const SHAPE: &str = "implicit";
 
@@ -24,50 +24,60 @@ pub(super) struct Part {
 }
 
 impl Field {
-    pub(super) fn new(body: &Body) -> Result<Field, MeshError> {
+    pub(super) fn new(body: &Body) -> Result<Field, ShapeError> {
+        Field::inside("", body)
+    }
+
+    /// `place` is the path of the solid that the body is of, such as `parts[1].group[0]`; empty for the outermost one.
+    fn inside(place: &str, body: &Body) -> Result<Field, ShapeError> {
+        let of = |kind: &str, name: &str| match place {
+            "" => name.to_owned(),
+            place => format!("{place}.{kind}.{name}"),
+        };
         Ok(match body {
             Body::Sphere { center, radius } => {
-                finite(SHAPE, "center", center)?;
-                positive(SHAPE, "radius", *radius)?;
+                finite(SHAPE, &of("sphere", "center"), center)?;
+                positive(SHAPE, &of("sphere", "radius"), *radius)?;
                 Field::Sphere { center: DVec3::from(*center), radius: *radius }
             }
             Body::Capsule { from, to, radii } => {
-                finite(SHAPE, "from", from)?;
-                finite(SHAPE, "to", to)?;
+                finite(SHAPE, &of("capsule", "from"), from)?;
+                finite(SHAPE, &of("capsule", "to"), to)?;
                 for radius in radii {
-                    positive(SHAPE, "radii", *radius)?;
+                    positive(SHAPE, &of("capsule", "radii"), *radius)?;
                 }
                 Field::Capsule { from: DVec3::from(*from), to: DVec3::from(*to), radii: *radii }
             }
             Body::Torus { center, axis, major_radius, minor_radius } => {
-                finite(SHAPE, "center", center)?;
-                finite(SHAPE, "axis", axis)?;
-                positive(SHAPE, "major_radius", *major_radius)?;
-                positive(SHAPE, "minor_radius", *minor_radius)?;
+                finite(SHAPE, &of("torus", "center"), center)?;
+                finite(SHAPE, &of("torus", "axis"), axis)?;
+                positive(SHAPE, &of("torus", "major_radius"), *major_radius)?;
+                positive(SHAPE, &of("torus", "minor_radius"), *minor_radius)?;
                 let axis = DVec3::from(*axis)
                     .try_normalize()
-                    .ok_or_else(|| invalid(SHAPE, "`axis` is zero", "give a direction such as [0, 0, 1]"))?;
+                    .ok_or_else(|| invalid(SHAPE, of("torus", "axis"), ShapeFault::NoDirection))?;
                 let (major_radius, minor_radius) = (*major_radius, *minor_radius);
                 Field::Torus { center: DVec3::from(*center), axis, major_radius, minor_radius }
             }
             Body::Ellipsoid { center, radii, rotation } => {
-                finite(SHAPE, "center", center)?;
-                finite(SHAPE, "rotation", rotation)?;
+                finite(SHAPE, &of("ellipsoid", "center"), center)?;
+                finite(SHAPE, &of("ellipsoid", "rotation"), rotation)?;
                 for radius in radii {
-                    positive(SHAPE, "radii", *radius)?;
+                    positive(SHAPE, &of("ellipsoid", "radii"), *radius)?;
                 }
-                let [x, y, z] = rotation.map(|degrees| libm::sincos(degrees.to_radians()));
-                let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, x.1, x.0), DVec3::new(0.0, -x.0, x.1));
-                let about_y = DMat3::from_cols(DVec3::new(y.1, 0.0, -y.0), DVec3::Y, DVec3::new(y.0, 0.0, y.1));
-                let about_z = DMat3::from_cols(DVec3::new(z.1, z.0, 0.0), DVec3::new(-z.0, z.1, 0.0), DVec3::Z);
-                let to_local = (about_z * about_y * about_x).transpose();
-                Field::Ellipsoid { center: DVec3::from(*center), radii: DVec3::from(*radii), to_local }
+                Field::Ellipsoid {
+                    center: DVec3::from(*center),
+                    radii: DVec3::from(*radii),
+                    to_local: turned(*rotation).transpose(),
+                }
             }
             Body::Group(solids) => {
+                let list = if place.is_empty() { "parts".to_owned() } else { format!("{place}.group") };
                 if solids.is_empty() {
-                    return Err(invalid(SHAPE, "a group has no parts", "give at least one solid"));
+                    return Err(invalid(SHAPE, list, ShapeFault::EmptyGroup));
                 }
-                Field::Group(solids.iter().map(Part::new).collect::<Result<_, _>>()?)
+                let parts = solids.iter().enumerate().map(|(k, solid)| Part::new(&format!("{list}[{k}]"), solid));
+                Field::Group(parts.collect::<Result<_, _>>()?)
             }
         })
     }
@@ -131,12 +141,21 @@ impl Field {
 }
 
 impl Part {
-    fn new(solid: &Solid) -> Result<Part, MeshError> {
+    fn new(place: &str, solid: &Solid) -> Result<Part, ShapeError> {
         if !(solid.blend.is_finite() && solid.blend >= 0.0) {
-            return Err(invalid(SHAPE, format!("`blend` is {}", solid.blend), "give a width of 0 or more"));
+            return Err(invalid(SHAPE, format!("{place}.blend"), ShapeFault::NotAWidth(solid.blend)));
         }
-        Ok(Part { field: Field::new(&solid.body)?, operation: solid.operation, blend: solid.blend })
+        Ok(Part { field: Field::inside(place, &solid.body)?, operation: solid.operation, blend: solid.blend })
     }
+}
+
+/// The rotation by angles in degrees about x, then y, then z.
+fn turned(rotation: [f64; 3]) -> DMat3 {
+    let [x, y, z] = rotation.map(|degrees| libm::sincos(degrees.to_radians()));
+    let about_x = DMat3::from_cols(DVec3::X, DVec3::new(0.0, x.1, x.0), DVec3::new(0.0, -x.0, x.1));
+    let about_y = DMat3::from_cols(DVec3::new(y.1, 0.0, -y.0), DVec3::Y, DVec3::new(y.0, 0.0, y.1));
+    let about_z = DMat3::from_cols(DVec3::new(z.1, z.0, 0.0), DVec3::new(-z.0, z.1, 0.0), DVec3::Z);
+    about_z * about_y * about_x
 }
 
 /// The minimum, with the kink rounded by a parabola where the arguments differ by less than `width`.

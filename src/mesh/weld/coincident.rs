@@ -1,11 +1,12 @@
 //! Points that coincide, found by hashing.
 
+use crate::mesh::union_find::root;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Per vertex its place: the first of the vertices there. Places within the tolerance of each other are one, also
-/// by way of others.
-pub(super) fn places(vertices: &[u32], positions: &[DVec3], tolerance: f64) -> HashMap<u32, u32> {
+/// Per vertex the first of the vertices that coincide with it. Points within the tolerance of each other coincide, and so
+/// do points that are joined by a chain of such points.
+pub(super) fn coincident(vertices: &[u32], positions: &[DVec3], tolerance: f64) -> HashMap<u32, u32> {
     let mut parents: Vec<u32> = (0..vertices.len() as u32).collect();
     let at = |k: u32| positions[vertices[k as usize] as usize];
     if tolerance == 0.0 {
@@ -38,8 +39,8 @@ pub(super) fn places(vertices: &[u32], positions: &[DVec3], tolerance: f64) -> H
     (0..vertices.len() as u32).map(|k| (vertices[k as usize], vertices[root(&mut parents, k) as usize])).collect()
 }
 
-/// Vertices of one list at the place of one of another, with that.
-pub(super) fn equal_places(these: &[u32], those: &[u32], positions: &[DVec3]) -> Vec<[u32; 2]> {
+/// Vertices of one list that have exactly the position of a vertex of another list, each with that vertex.
+pub(super) fn at_equal_positions(these: &[u32], those: &[u32], positions: &[DVec3]) -> Vec<[u32; 2]> {
     if these.is_empty() {
         return Vec::new();
     }
@@ -50,13 +51,4 @@ pub(super) fn equal_places(these: &[u32], those: &[u32], positions: &[DVec3]) ->
 /// Adding zero turns -0 into +0.
 fn bits(p: DVec3) -> [u64; 3] {
     p.to_array().map(|x| (x + 0.0).to_bits())
-}
-
-/// The one that stands for all that were joined with `k`.
-pub(super) fn root(parents: &mut [u32], mut k: u32) -> u32 {
-    while parents[k as usize] != k {
-        parents[k as usize] = parents[parents[k as usize] as usize];
-        k = parents[k as usize];
-    }
-    k
 }

@@ -1,0 +1,21 @@
+//! How many elements a mesh may have. Elements are numbered with 32 bits, so every number of an element that passes
+//! [`check_size`] may be narrowed.
+
+use super::MeshError;
+
+/// The most faces of a mesh. Its halfedges, three a face, are numbered as well, and one number stands for "none".
+pub const MOST_FACES: usize = u32::MAX as usize / 3 - 1;
+
+/// The most vertices of a mesh.
+pub const MOST_VERTICES: usize = u32::MAX as usize - 1;
+
+/// Refuses what has no faces, and what has too many elements.
+pub(super) fn check_size(vertices: usize, faces: usize) -> Result<(), MeshError> {
+    if faces == 0 {
+        return Err(MeshError::Empty);
+    }
+    if faces > MOST_FACES || vertices > MOST_VERTICES {
+        return Err(MeshError::TooLarge { faces, vertices, limit: MOST_FACES });
+    }
+    Ok(())
+}

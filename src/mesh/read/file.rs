@@ -1,0 +1,66 @@
+//! From a path to a surface.
+
+use std::path::Path;
+
+use super::content;
+use super::format::FileFormat;
+use super::formats::{obj, off, ply, stl};
+use super::problem::{Problem, read_bytes};
+use super::soup::Soup;
+use crate::mesh::limits::check_size;
+use crate::mesh::repair::Unrepairable;
+use crate::mesh::{MeshError, Surface, Weld};
+
+/// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
+///
+/// Polygons are cut into triangles, also concave ones. Seams are welded where coordinates are equal, and in STL files
+/// also within the rounding of single precision. The result is oriented and compacted by [`crate::mesh::repair`].
+/// [`Surface::repairs`] says what all that changed, and [`crate::mesh::Mesh::file_vertex`] what the file calls each
+/// vertex. A file whose vertices all lie in one point is purely intrinsic and has no positions, and so is an OBJ file
+/// that lists faces but no vertices.
+///
+/// # Errors
+/// [`MeshError::File`] and [`MeshError::FileLine`] for files that cannot be read or parsed,
+/// [`MeshError::InFile`] for faces that do not form an oriented surface.
+pub fn read(path: &Path) -> Result<Surface, MeshError> {
+    read_welded(path, None)
+}
+
+/// Reads a file as [`read`] does, but welds its seams as `weld` says, where that is given.
+///
+/// # Errors
+/// The errors of [`read`].
+pub fn read_welded(path: &Path, weld: Option<Weld>) -> Result<Surface, MeshError> {
+    let (soup, format) = read_soup(path)?;
+    soup.surface(format, weld).map_err(|unrepairable| match unrepairable {
+        Unrepairable::Size(error) => Problem::of_size(&error).in_file(path),
+        Unrepairable::Faults(mut faults) => {
+            let counted_from = format.counts_from();
+            for fault in &mut faults.listed {
+                fault.lines = soup.lines_of(&fault.faces);
+                let face = |f| soup.polygon(f) + counted_from as usize;
+                fault.error = fault.error.clone().renumbered(face, counted_from);
+            }
+            let lines = if let [only] = &*faults.listed { only.lines.clone() } else { Vec::new() };
+            MeshError::InFile { path: path.to_owned(), lines, counted_from, error: Box::new(faults.into_error()) }
+        }
+    })
+}
+
+/// What a file says, and its format. Its numbers of vertices and of triangles are such that 32 bits hold them.
+pub(super) fn read_soup(path: &Path) -> Result<(Soup, FileFormat), MeshError> {
+    let format = FileFormat::of(path).ok_or_else(|| {
+        let remedy = format!("use a file that ends in {}", FileFormat::endings());
+        Problem::new("the file's ending names no known mesh format", remedy).in_file(path)
+    })?;
+    let parse = match format {
+        FileFormat::Obj => obj::parse,
+        FileFormat::Ply => ply::parse,
+        FileFormat::Off => off::parse,
+        FileFormat::Stl => stl::parse,
+    };
+    let bytes = read_bytes(path)?;
+    let soup = content::check(&bytes, format).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;
+    check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| Problem::of_size(&error).in_file(path))?;
+    Ok((soup, format))
+}

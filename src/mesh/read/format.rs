@@ -1,0 +1,62 @@
+//! The formats of mesh files.
+
+use std::path::Path;
+use std::sync::LazyLock;
+
+/// A format that can be read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileFormat {
+    /// Wavefront OBJ.
+    Obj,
+    /// Stanford PLY, ascii or binary.
+    Ply,
+    /// Object File Format.
+    Off,
+    /// Stereolithography, ascii or binary: lists of corners, whose vertices have no numbers.
+    Stl,
+}
+
+impl FileFormat {
+    /// All of them.
+    pub const ALL: [FileFormat; 4] = [FileFormat::Obj, FileFormat::Ply, FileFormat::Off, FileFormat::Stl];
+
+    /// What its files end in, in small letters and without the point.
+    pub const fn ending(self) -> &'static str {
+        match self {
+            FileFormat::Obj => "obj",
+            FileFormat::Ply => "ply",
+            FileFormat::Off => "off",
+            FileFormat::Stl => "stl",
+        }
+    }
+
+    /// The format of a file by its ending, in small or capital letters; `None` if no format has this ending.
+    pub fn of(path: &Path) -> Option<FileFormat> {
+        let ending = path.extension()?.to_string_lossy().to_lowercase();
+        FileFormat::ALL.into_iter().find(|format| format.ending() == ending)
+    }
+
+    /// The number of the first vertex and of the first face in its files.
+    pub(super) fn counts_from(self) -> u32 {
+        u32::from(self == FileFormat::Obj)
+    }
+
+    /// The names of all formats, as in a sentence.
+    pub fn names() -> &'static str {
+        static NAMES: LazyLock<String> = LazyLock::new(|| listed(|format| format.ending().to_uppercase()));
+        &NAMES
+    }
+
+    /// The endings of all formats with their points, as in a sentence.
+    pub fn endings() -> &'static str {
+        static ENDINGS: LazyLock<String> = LazyLock::new(|| listed(|format| format!(".{}", format.ending())));
+        &ENDINGS
+    }
+}
+
+/// The formats, with commas between them and an "or" before the last one.
+fn listed(word: impl Fn(FileFormat) -> String) -> String {
+    let words = FileFormat::ALL.map(word);
+    let [others @ .., last] = &words;
+    format!("{} or {last}", others.join(", "))
+}
