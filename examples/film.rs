@@ -12,7 +12,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let torus = shapes::torus(1.0, 0.4, 48, 20)?;
     let positions = torus.positions.clone().unwrap_or_default();
     // Lengths are multiplied by the mean exp(u) of their ends, so that one side grows and the other one shrinks.
-    let u = Formula::parse("0.3 * x * sin(2 * pi * t)", &["x", "y", "z"], &Default::default())?;
+    let u = Formula::parse("0.3 * x * sin(2 * PI * t)", &["x", "y", "z"], &Default::default())?;
     let breath = Change::conformal(&torus, u, Number::Constant(1.0))?;
     let program = Program {
         start: Start::at(positions),
