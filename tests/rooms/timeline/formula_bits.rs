@@ -52,6 +52,7 @@ const ARGUMENTS: [f64; 33] = [
 ];
 
 type Function = fn(f64) -> f64;
+type FunctionOfTwo = fn(f64, f64) -> f64;
 
 #[test]
 fn functions_of_one_variable_are_those_of_libm() {
@@ -101,7 +102,7 @@ fn functions_of_one_variable_are_those_of_libm() {
 
 #[test]
 fn functions_of_two_variables_are_those_of_libm() {
-    let functions: [(&str, fn(f64, f64) -> f64); 9] = [
+    let functions: [(&str, FunctionOfTwo); 9] = [
         ("x ^ y", libm::pow),
         ("x atan2 y", libm::atan2),
         ("atan2(x, y)", libm::atan2),
