@@ -4,6 +4,16 @@
 //! `cargo bench --bench render` prints a table (of the cases that are named, or of all). `cargo bench --bench render -- serve FOLDER` writes the meshes and
 //! cameras there and then renders what it is asked for on standard input, for `benches/llvmpipe.sh`, which
 //! compares with Mesa.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    clippy::exit,
+    clippy::disallowed_methods,
+    reason = "a benchmark is a program of its own, which prints and fails by panicking"
+)]
 
 use std::{
     error::Error,

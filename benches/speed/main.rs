@@ -10,6 +10,16 @@
 //!     triad                                     bytes per second that the memory gives
 //!
 //! Each is a process of its own, so that its peak of memory is its own; `RAYON_NUM_THREADS` says on how many threads.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::print_stdout,
+    clippy::print_stderr,
+    clippy::exit,
+    clippy::disallowed_methods,
+    reason = "a benchmark is a program of its own, which prints and fails by panicking"
+)]
 
 mod npy;
 mod scenes;

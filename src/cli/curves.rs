@@ -152,7 +152,7 @@ fn draw<'a>(area: &Area<'a>, reports: &[FrameReport]) -> Outcome<'a> {
     let (pinch_points, below) = rest.split_vertically(COUNT_PANEL_HEIGHT);
     text(&below, "frame", &INK, (SIZE.0 as i32 - MARGIN_RIGHT, 20), HPos::Right)?;
 
-    let exponent = |ratio: f64| (100.0 * ratio).max(SMALLEST_PERCENT).log10();
+    let exponent = |ratio: f64| libm::log10((100.0 * ratio).max(SMALLEST_PERCENT));
     let curves = [
         Curve::of("max", ORANGE, reports, |r| exponent(r.max_length_error)),
         Curve::of("L2", BLUE, reports, |r| exponent(r.l2_length_error)),
@@ -232,13 +232,13 @@ const SMALLEST_PERCENT: f64 = 1e-3;
 /// `0.01 %` for −2.
 fn percent_of_exponent(exponent: &f64) -> String {
     let decimals = (-exponent).max(0.0) as usize;
-    if decimals <= 4 { format!("{:.decimals$} %", 10f64.powf(*exponent)) } else { format!("1e{exponent} %") }
+    if decimals <= 4 { format!("{:.decimals$} %", libm::pow(10.0, *exponent)) } else { format!("1e{exponent} %") }
 }
 
 /// Whole numbers from `from` to `to` in steps of 1, 2 or 5 times a power of ten, about `count` of them at most.
 fn ticks(from: f64, to: f64, count: f64) -> Vec<f64> {
     let least = ((to - from) / count).max(1.0);
-    let power = 10f64.powf(least.log10().floor());
+    let power = libm::pow(10.0, libm::log10(least).floor());
     let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|k| k * power).find(|step| *step >= least).unwrap_or(least);
     let start = (from / step).ceil();
     (0..).map(|k| (start + f64::from(k)) * step).take_while(|tick| *tick <= to).collect()

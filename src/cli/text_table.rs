@@ -39,7 +39,7 @@ fn trimmed(x: f64) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
-    let decimals = (3.0 - x.abs().log10().floor()).clamp(0.0, 12.0);
+    let decimals = (3.0 - libm::log10(x.abs()).floor()).clamp(0.0, 12.0);
     let text = format!("{x:.*}", decimals as usize);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

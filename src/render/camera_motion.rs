@@ -1,6 +1,6 @@
 //! How the camera moves over a film.
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::{
     Camera, Extent, Output, RenderError,
@@ -153,9 +153,15 @@ impl CameraMotion {
     fn axes_at(&self, part: f64, time: f64) -> (Pose, DMat3) {
         let (&before, &after, between) = self.keys.around(time);
         let pose = before.toward(after, between);
-        let orbit = DMat3::from_axis_angle(self.up, self.turntable * part + pose.orbit);
-        (pose, orbit * self.axes * DMat3::from_rotation_x(-pose.rise))
+        let orbit = turn(self.up, self.turntable * part + pose.orbit);
+        (pose, orbit * self.axes * turn(DVec3::X, -pose.rise))
     }
+}
+
+/// The rotation by an angle about a unit vector.
+fn turn(axis: DVec3, angle: f64) -> DMat3 {
+    let (sine, cosine) = libm::sincos(0.5 * angle);
+    DMat3::from_quat(DQuat::from_vec4((sine * axis).extend(cosine)))
 }
 
 /// The keys of a section, or one that changes nothing.

@@ -222,6 +222,7 @@ fn root_tree(mesh: &Mesh, neighbors: &[Vec<(VertexId, EdgeId)>]) -> VertexTree {
 }
 
 /// The unique closed strip that crosses `e` and otherwise only edges of the dual tree.
+#[allow(clippy::unreachable, reason = "the tree paths of the two sides of an edge outside the tree always close up")]
 fn close_strip(mesh: &Mesh, entries: &[Option<HalfedgeId>], e: EdgeId) -> Strip {
     let to_root = |start: FaceId| {
         // Halfedges through which a walk to the root leaves each face.
@@ -248,7 +249,6 @@ fn close_strip(mesh: &Mesh, entries: &[Option<HalfedgeId>], e: EdgeId) -> Strip 
     let mut exits = vec![h];
     exits.extend(out);
     exits.extend(back.iter().rev().filter_map(|&b| mesh.twin(b)));
-    // The tree paths of the two sides of an edge outside the tree always close up to a strip.
     Strip::new(mesh, exits.clone()).unwrap_or_else(|| unreachable!("strip {exits:?} does not close"))
 }
 

@@ -1,7 +1,8 @@
 //! Expressions in variables of their place, time and the parameters of the scene.
 
+use super::operators::Operators;
 use super::{Parameters, TimelineError};
-use exmex::{Express, FlatEx, FloatOpsFactory, MatchLiteral};
+use exmex::{Express, FlatEx, MatchLiteral};
 use std::sync::Arc;
 
 /// A formula that is known to use nothing but its own variables, `t` and parameters.
@@ -9,7 +10,7 @@ use std::sync::Arc;
 pub struct Formula {
     text: String,
     /// Boxed, for it is large.
-    expression: Box<FlatEx<f64, FloatOpsFactory<f64>, Decimal>>,
+    expression: Box<FlatEx<f64, Operators, Decimal>>,
     /// Per variable of the expression: which of own variables, then `t`, then parameters it is.
     slots: Vec<usize>,
     own: usize,

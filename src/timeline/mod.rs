@@ -4,6 +4,7 @@ mod clock;
 mod error;
 mod formula;
 mod keyframes;
+mod operators;
 mod parameters;
 mod point_formula;
 

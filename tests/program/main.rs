@@ -1,4 +1,13 @@
 //! Tests of the built program: the command line, films on disk, the scenes that ship.
+#![allow(
+    clippy::expect_used,
+    clippy::panic,
+    clippy::unwrap_used,
+    clippy::unreachable,
+    clippy::print_stderr,
+    clippy::disallowed_methods,
+    reason = "tests fail by panicking, and their closed forms need no certain bits"
+)]
 
 mod bad_input;
 mod classes;

@@ -52,7 +52,7 @@ fn assert_no_more_than(recorded: &Recorded) {
         simulation.mesh().face_count(),
         report.cursor.restarts,
     );
-    println!("{now}");
+    eprintln!("{now}");
     assert_eq!((report.rims, report.pinch_points), (0, 0), "{now}");
     for (what, was, is) in [
         ("steps", recorded.steps as f64, steps as f64),

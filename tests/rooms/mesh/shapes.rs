@@ -308,7 +308,7 @@ fn assert_remeshed(surface: &Surface, target: f64, genus: usize) {
     let angle = smallest_angle(surface);
     let lengths = lengths(surface);
     let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
-    println!(
+    eprintln!(
         "{} faces, smallest angle {angle:.1}, mean edge {:.3} of the target",
         surface.mesh.face_count(),
         mean / target

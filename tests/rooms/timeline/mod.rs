@@ -1,1 +1,2 @@
+mod formula_bits;
 mod values;
