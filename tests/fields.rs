@@ -9,10 +9,10 @@ use immerse::frames::{Shell, energy};
 use immerse::immersion::{
     ConformalFactor, FieldInput, Fields, gaussian_curvatures, mean_curvatures, rimless_frames, spin_of_immersion,
 };
+use immerse::immersion::{FieldName, FieldValues};
 use immerse::mesh::{Mesh, Surface, from_scene};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::render::{Field, FieldSpread, FieldValues};
-use immerse::scene::FieldName;
+use immerse::render::{Field, FieldSpread};
 use immerse::spin::SpinStructure;
 use support::{Random, random_metric, scene, surface};
 

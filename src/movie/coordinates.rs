@@ -5,8 +5,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::immersion::FieldValues;
 use crate::mesh::Mesh;
-use crate::render::{Field, FieldValues};
+use crate::render::Field;
 use crate::scene::{MeshSection, PatternAlong, Shape};
 use crate::timeline::{Formula, Parameters, TimelineError};
 

@@ -3,7 +3,7 @@ use std::path::PathBuf;
 use crate::{
     cache::CacheError,
     render::RenderError,
-    scene::{Scene, SceneErrors},
+    scene::{Scene, SceneError, SceneErrors},
 };
 
 /// Why pictures of a film cannot be made.
@@ -38,6 +38,12 @@ pub enum MovieError {
          compiler), or ask for gif or apng"
     )]
     WithoutMp4,
+}
+
+impl From<SceneError> for MovieError {
+    fn from(error: SceneError) -> Self {
+        MovieError::Scene(SceneErrors::Mistakes(vec![error]))
+    }
 }
 
 impl MovieError {

@@ -1,20 +1,16 @@
-use std::{
-    io::{self, Write},
-    path::Path,
-};
+//! A finished picture, and how its light becomes numbers of a file.
 
-use glam::{Vec2, Vec3, Vec4};
+use glam::{Vec3, Vec4};
 use rayon::prelude::*;
-use tempfile::NamedTempFile;
 
 use super::{
-    RenderError,
-    color::{srgb_bytes, srgb_words},
+    Layers,
+    look::{srgb_bytes, srgb_words},
 };
 
 /// A finished picture in linear light, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct Picture {
     pub(super) width: usize,
     pub(super) height: usize,
     /// Size of the picture of which this may be a part.
@@ -29,28 +25,7 @@ pub struct Film {
     pub(super) skipped_triangles: usize,
 }
 
-/// What else is known of each pixel, row by row: of the surface that most samples of the pixel see.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Layers {
-    /// Distance from the eye along the axis of view, infinite where nothing is seen.
-    pub depth: Vec<f32>,
-    /// Unit normal of the front in world space, zero where no surface is seen.
-    pub normals: Vec<Vec3>,
-    /// Place in world space, zero where no surface is seen.
-    pub positions: Vec<Vec3>,
-    /// Triangle of the scenery, `u32::MAX` where no surface is seen.
-    pub face_ids: Vec<u32>,
-    /// 1 where the front is seen, -1 where the back is, 0 where no surface is.
-    pub sides: Vec<f32>,
-    /// Pixels that the surface moves to the next frame, right and down.
-    pub motion: Vec<Vec2>,
-    /// Share of the sky that is seen, 1 where no surface is.
-    pub occlusion: Vec<f32>,
-    /// Name and values of each field of the scenery, not a number where no surface is seen.
-    pub fields: Vec<(String, Vec<f32>)>,
-}
-
-impl Film {
+impl Picture {
     /// Width and height of the whole picture of which this is a part.
     pub fn whole(&self) -> [usize; 2] {
         self.whole
@@ -92,7 +67,9 @@ impl Film {
         let flat = self.background.windows(2).all(|rows| is_same(rows[0], rows[1]));
         let [left, top] = self.corner;
         let mut bytes = vec![0; 3 * self.width * self.height];
-        let rows = bytes.par_chunks_mut(3 * self.width).zip(self.beauty.par_chunks(self.width)).enumerate();
+        // A picture without pixels has no rows, and rows of length 0 cannot be cut off.
+        let width = self.width.max(1);
+        let rows = bytes.par_chunks_mut(3 * width).zip(self.beauty.par_chunks(width)).enumerate();
         rows.for_each(|(y, (bytes, row))| {
             let background = self.background[y];
             let bare = srgb_bytes(background, 0.0);
@@ -119,8 +96,8 @@ impl Film {
     }
 
     /// An empty picture of one colour (linear light), to be pasted on.
-    pub fn blank(width: usize, height: usize, background: Vec3) -> Film {
-        Film {
+    pub fn blank(width: usize, height: usize, background: Vec3) -> Picture {
+        Picture {
             width,
             height,
             whole: [width, height],
@@ -134,7 +111,7 @@ impl Film {
 
     /// Puts another picture upon this one, its upper left corner at x and y; what lies outside is left out. Layers are
     /// not touched.
-    pub fn paste(&mut self, picture: &Film, [left, top]: [usize; 2]) {
+    pub fn paste(&mut self, picture: &Picture, [left, top]: [usize; 2]) {
         let width = picture.width.min(self.width.saturating_sub(left));
         for y in 0..picture.height.min(self.height.saturating_sub(top)) {
             let same_background = is_same(picture.background[y], self.background[top + y]);
@@ -149,63 +126,9 @@ impl Film {
     }
 }
 
-/// Pictures taken one after another on the same film, which shows their mean in linear light.
-#[derive(Clone, Debug)]
-pub struct Exposure {
-    film: Film,
-    pictures: usize,
-}
-
-impl Exposure {
-    /// The shutter opens: layers and the count of skipped triangles are those of this picture.
-    pub fn of(film: Film) -> Exposure {
-        Exposure { film, pictures: 1 }
-    }
-
-    /// Adds a picture of the same size.
-    pub fn add(&mut self, film: &Film) {
-        self.pictures += 1;
-        self.film.beauty.iter_mut().zip(&film.beauty).for_each(|(sum, light)| *sum += *light);
-    }
-
-    /// The shutter closes.
-    pub fn develop(mut self) -> Film {
-        if self.pictures > 1 {
-            let share = self.pictures as f32;
-            self.film.beauty.iter_mut().for_each(|light| *light /= share);
-        }
-        self.film
-    }
-}
-
-pub(super) fn write_error(path: &Path, error: impl std::fmt::Display) -> RenderError {
-    RenderError::Write { path: path.to_owned(), reason: error.to_string() }
-}
-
-/// Writes a temporary file next to the target, then renames it.
-pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), RenderError> {
-    let mut file = temporary_beside(path).map_err(|error| write_error(path, error))?;
-    file.write_all(bytes).and_then(|()| file.as_file().sync_all()).map_err(|error| write_error(path, error))?;
-    file.persist(path).map_err(|error| write_error(path, error.error))?;
-    Ok(())
-}
-
 /// Whether colours are the same but for rounding.
 fn is_same(a: Vec3, b: Vec3) -> bool {
     a.abs_diff_eq(b, 1e-6)
-}
-
-/// A file under a temporary name in the folder of a path, with the rights of any new file.
-pub(crate) fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".immerse-");
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder.tempfile_in(folder)
 }
 
 /// Noise of one quantization step, different from pixel to pixel and the same in every run.

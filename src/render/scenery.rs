@@ -1,6 +1,10 @@
 use glam::DVec3;
 
 use super::{Field, Plane, RenderError};
+use crate::immersion::FieldValues;
+
+/// Triangles, and lines, that one picture takes: as many as there are ids for them in the samples of a tile.
+pub(super) const MOST_PRIMITIVES: usize = 0x7FFF_FFFE;
 
 /// What is to be seen: a triangulated surface, curves and fields on it, as plain borrowed data.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,7 +31,7 @@ pub struct Scenery<'a> {
     pub color: Option<&'a Field>,
     /// What the pattern of the look runs along, and across for patterns of two directions.
     pub along: [Option<&'a Field>; 2],
-    /// Recorded as layers of the film.
+    /// Recorded as layers of the picture.
     pub fields: &'a [Field],
 }
 
@@ -35,6 +39,10 @@ impl Scenery<'_> {
     /// That every index has a position, and every list its length.
     pub(super) fn validate(&self) -> Result<(), RenderError> {
         let vertices = self.positions.len();
+        // Before anything counts them in 32 bits.
+        if self.triangles.len() > MOST_PRIMITIVES {
+            return Err(RenderError::TooManyPrimitives { count: self.triangles.len(), limit: MOST_PRIMITIVES });
+        }
         let check = |list: &'static str, item: usize, corners: &[u32]| match corners
             .iter()
             .find(|&&vertex| vertex as usize >= vertices)
@@ -59,8 +67,8 @@ impl Scenery<'_> {
         let fields = self.fields.iter().chain(self.color).chain(self.along.iter().copied().flatten());
         for field in fields {
             let wanted = match &field.values {
-                super::FieldValues::PerFace(_) => self.triangles.len(),
-                super::FieldValues::PerVertex(_) => vertices,
+                FieldValues::PerFace(_) => self.triangles.len(),
+                FieldValues::PerVertex(_) => vertices,
             };
             if field.len() != wanted {
                 return Err(RenderError::Length { list: field.name.clone(), found: field.len(), wanted });

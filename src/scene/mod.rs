@@ -10,6 +10,7 @@
 //! assert!(mistakes.to_string().contains("did you mean `sphere`?"));
 //! ```
 
+pub mod build;
 mod data;
 mod error;
 mod file;

@@ -7,6 +7,7 @@ mod keyframes;
 mod parameters;
 mod point_formula;
 
+pub use crate::scene::{Ease, Extrapolation};
 pub use clock::Clock;
 pub use error::TimelineError;
 pub use formula::{Formula, FormulaAt};

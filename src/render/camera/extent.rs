@@ -34,7 +34,8 @@ impl Extent {
         Self::weighted_by_area(points, &[])
     }
 
-    /// The extent of a surface with its corners in these positions. Triangles without finite corners are left out.
+    /// The extent of a surface with its corners in these positions. Triangles without finite corners, or with a corner that has
+    /// no position, are left out.
     pub fn of_surface(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
         Self::weighted_by_area(positions, triangles)
     }
@@ -44,7 +45,8 @@ impl Extent {
         let Some(&origin) = positions.iter().find(|position| position.is_finite()) else { return Self::default() };
         let together = |pieces: Vec<Moments>| pieces.into_iter().fold(Moments::default(), Moments::with);
         // In fixed pieces, for the same bits on any number of threads.
-        let of_triangle = |corners: &[u32; 3]| Moments::of_triangle(corners.map(|v| positions[v as usize] - origin));
+        let place = |vertex: u32| positions.get(vertex as usize).map_or(DVec3::NAN, |&position| position - origin);
+        let of_triangle = |corners: &[u32; 3]| Moments::of_triangle(corners.map(place));
         let of_triangles = |piece: &[[u32; 3]]| piece.iter().map(of_triangle).fold(Moments::default(), Moments::with);
         let surface = together(triangles.par_chunks(PIECE).map(of_triangles).collect());
         let of_points = |piece: &[DVec3]| {
@@ -73,7 +75,7 @@ impl Extent {
     }
 
     /// The outermost points, which stand for the convex hull.
-    pub(super) fn outermost(&self) -> &[DVec3] {
+    pub(in crate::render) fn outermost(&self) -> &[DVec3] {
         &self.outermost
     }
 
@@ -83,7 +85,7 @@ impl Extent {
     }
 
     /// Middle of the box around the outermost points, and their greatest distance from it.
-    pub(super) fn ball(&self) -> Option<(DVec3, f64)> {
+    pub(in crate::render) fn ball(&self) -> Option<(DVec3, f64)> {
         let low = self.outermost.iter().copied().reduce(DVec3::min)?;
         let high = self.outermost.iter().copied().reduce(DVec3::max)?;
         let center = low + (high - low) / 2.0;
@@ -94,7 +96,7 @@ impl Extent {
     /// Principal axes, longest first, with the variances along them. They point to the open side: the mean of q |q|²,
     /// where q is the offset from the mean, points to where the surface is wide and open, from the bottom of a bowl to its
     /// opening.
-    pub(super) fn principal_axes(&self) -> [(DVec3, f64); 3] {
+    pub(in crate::render) fn principal_axes(&self) -> [(DVec3, f64); 3] {
         let axes = principal_axes(self.moments.second, ROUND, AXES);
         let largest = axes[0].1.max(f64::MIN_POSITIVE);
         let open_side = self.moments.third / largest / largest.sqrt();

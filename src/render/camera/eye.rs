@@ -1,10 +1,10 @@
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 use super::{
-    CameraMotion, Extent, Output, RenderError,
-    framing::{in_range, unit, upright},
+    lens::Lens,
+    view::{angle_of_view, check_upright, unit},
 };
-use crate::scene::CameraSection;
+use crate::render::{Output, RenderError, ViewElement};
 
 /// A view of the surface.
 ///
@@ -13,54 +13,27 @@ use crate::scene::CameraSection;
 /// it is affine in the picture plane for perspective and orthographic views alike.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
-    pub(super) view_from_world: DAffine3,
-    pub(super) lens: Lens,
-    pub(super) aspect: f64,
+    pub(in crate::render) view_from_world: DAffine3,
+    pub(in crate::render) lens: Lens,
+    pub(in crate::render) aspect: f64,
     /// Distance from the eye below which nothing is seen.
-    pub(super) near: f64,
+    pub(in crate::render) near: f64,
     /// Distance beyond which an orthographic view sees nothing.
-    pub(super) far: f64,
+    pub(in crate::render) far: f64,
     /// Middle and radius of what was framed, in world space.
-    pub(super) subject: (DVec3, f64),
+    pub(in crate::render) subject: (DVec3, f64),
 }
 
-/// How rays of sight leave the eye.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Lens {
-    /// Tangent of half the vertical field of view.
-    Perspective { tangent: f64 },
-    /// Half the height of the picture in world units.
-    Orthographic { half_height: f64 },
-}
-
-impl Lens {
-    /// Half the height of what is seen at a distance from the eye.
-    pub(super) fn half_height_at(self, distance: f64) -> f64 {
-        match self {
-            Lens::Perspective { tangent } => tangent * distance,
-            Lens::Orthographic { half_height } => half_height,
-        }
-    }
-}
+/// The narrowest field of view with perspective, in degrees.
+const NARROWEST_DEGREES: f64 = 1e-3;
 
 impl Camera {
-    /// A camera that sees all of `extent` from the direction the section asks for, or from a good one. It stands
-    /// still; [`CameraMotion`] follows what the section says of motion.
-    ///
-    /// Frame a whole film by merging the extents of its frames: the camera then never moves.
-    ///
-    /// # Errors
-    /// [`RenderError::Camera`] on impossible values, [`RenderError::NothingToFrame`] on an empty extent.
-    pub fn framing(section: &CameraSection, extent: &Extent, output: &Output) -> Result<Self, RenderError> {
-        let still = CameraSection { turntable: 0.0, keys: Vec::new(), ..section.clone() };
-        Ok(CameraMotion::framing(&still, extent, output, [0.0; 2])?.at(0.0, 0.0))
-    }
-
     /// A perspective camera at `eye`, looking at `target`, for surfaces about `radius` in size.
     ///
     /// # Errors
-    /// [`RenderError::Camera`] if the direction or `up` has no length, or they are parallel, or the field of view
-    /// (vertical, degrees) is not above 0 and at most 150.
+    /// [`RenderError::NoDirection`] if the direction or `up` has no length, [`RenderError::UpAlongView`] if they are
+    /// parallel, [`RenderError::ViewRange`] if the field of view (vertical, radians) is narrower than a thousandth of a
+    /// degree or wider than [`View::WIDEST_DEGREES`](super::View::WIDEST_DEGREES).
     pub fn look_at(
         eye: DVec3,
         target: DVec3,
@@ -69,14 +42,15 @@ impl Camera {
         radius: f64,
         output: &Output,
     ) -> Result<Self, RenderError> {
-        let fov = in_range("field_of_view", Some(field_of_view), 0.0, 1e-3..=150.0, "0.001 to 150")?;
-        let toward_eye = unit("direction", eye - target)?;
-        let up = upright(unit("up", up)?, toward_eye)?;
+        let field_of_view = angle_of_view(field_of_view, NARROWEST_DEGREES)?;
+        let toward_eye = unit(ViewElement::Direction, eye - target)?;
+        let up = unit(ViewElement::Up, up)?;
+        check_upright(up, toward_eye)?;
         let right = up.cross(toward_eye).normalize();
         let view_axes = DMat3::from_cols(right, toward_eye.cross(right), toward_eye);
         Ok(Self {
             view_from_world: DAffine3::from_mat3(view_axes.transpose()) * DAffine3::from_translation(-eye),
-            lens: Lens::Perspective { tangent: libm::tan(fov.to_radians() / 2.0) },
+            lens: Lens::Perspective { tangent: libm::tan(field_of_view / 2.0) },
             aspect: output.aspect(),
             near: 1e-3 * radius,
             far: f64::INFINITY,
@@ -132,12 +106,12 @@ impl Camera {
     }
 
     /// Whether rays of sight meet in the eye.
-    pub(super) fn is_perspective(&self) -> bool {
+    pub(in crate::render) fn is_perspective(&self) -> bool {
         matches!(self.lens, Lens::Perspective { .. })
     }
 
     /// Distance from the eye (perspective: along the axis) of a depth z / w in clip space.
-    pub(super) fn distance(&self, depth: f64) -> f64 {
+    pub(in crate::render) fn distance(&self, depth: f64) -> f64 {
         match self.lens {
             Lens::Perspective { .. } => self.near / depth,
             Lens::Orthographic { .. } => self.far - depth * (self.far - self.near),
@@ -145,12 +119,12 @@ impl Camera {
     }
 
     /// Length in world space that one pixel spans at a depth z / w in clip space.
-    pub(super) fn pixel_size(&self, depth: f64, output: &Output) -> f64 {
+    pub(in crate::render) fn pixel_size(&self, depth: f64, output: &Output) -> f64 {
         2.0 * self.lens.half_height_at(self.distance(depth)) / output.height() as f64
     }
 
     /// How much `depth` grows, as a factor and a summand, per pixel of height toward the eye.
-    pub(super) fn lift_per_pixel(&self, output: &Output) -> (f64, f64) {
+    pub(in crate::render) fn lift_per_pixel(&self, output: &Output) -> (f64, f64) {
         match self.lens {
             Lens::Perspective { tangent } => (2.0 * tangent / output.height() as f64, 0.0),
             Lens::Orthographic { .. } => (0.0, self.pixel_size(0.0, output) / (self.far - self.near)),
@@ -159,7 +133,7 @@ impl Camera {
 
     /// Origin and direction (not normalized) in view space of the ray through a place in the picture,
     /// both coordinates from -1 to 1, y up.
-    pub(super) fn view_ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
+    pub(in crate::render) fn view_ray(&self, x: f64, y: f64) -> (DVec3, DVec3) {
         match self.lens {
             Lens::Perspective { tangent } => (DVec3::ZERO, DVec3::new(x * tangent * self.aspect, y * tangent, -1.0)),
             Lens::Orthographic { half_height } => {

@@ -2,14 +2,13 @@
 
 use glam::DVec3;
 
-use super::{Extent, RenderError, camera::Lens};
-use crate::scene::CameraSection;
+use super::{extent::Extent, lens::Lens, view::View};
 
 /// A shape flatter than this (ratio of the smaller two standard deviations) is seen lying on a table.
 const FLATNESS: f64 = 0.75;
 
 /// Direction toward the eye and up, unit and perpendicular enough.
-pub fn orientation(section: &CameraSection, extent: &Extent) -> Result<(DVec3, DVec3), RenderError> {
+pub fn orientation(view: &View, extent: &Extent) -> (DVec3, DVec3) {
     let [(long, _), (middle, middle_variance), (short, short_variance)] = extent.principal_axes();
     let lies_flat = short_variance < FLATNESS * FLATNESS * middle_variance;
     let (usual_direction, usual_up) = if lies_flat {
@@ -17,9 +16,8 @@ pub fn orientation(section: &CameraSection, extent: &Extent) -> Result<(DVec3, D
     } else {
         (short * 0.80 + long * 0.45 + middle * 0.38, middle)
     };
-    let up = section.up.map(|up| unit("up", DVec3::from_array(up))).transpose()?;
-    let toward_eye = match (section.direction, up) {
-        (Some(direction), _) => unit("direction", DVec3::from_array(direction))?,
+    let toward_eye = match (view.direction(), view.up()) {
+        (Some(direction), _) => direction,
         (None, None) => usual_direction.normalize(),
         // With up given, the broad side is seen from a little above.
         (None, Some(up)) => {
@@ -28,46 +26,8 @@ pub fn orientation(section: &CameraSection, extent: &Extent) -> Result<(DVec3, D
             (level * 0.85 + up.cross(level) * 0.35 + up * 0.40).normalize()
         }
     };
-    let up = match up {
-        Some(up) => upright(up, toward_eye)?,
-        None => [usual_up, middle, long].into_iter().find(|axis| axis.dot(toward_eye).abs() < 0.95).unwrap_or(long),
-    };
-    Ok((toward_eye, up))
-}
-
-pub fn in_range(
-    key: &'static str,
-    value: Option<f64>,
-    usual: f64,
-    range: std::ops::RangeInclusive<f64>,
-    words: &'static str,
-) -> Result<f64, RenderError> {
-    let value = value.unwrap_or(usual);
-    if range.contains(&value) {
-        return Ok(value);
-    }
-    Err(RenderError::Camera { key, value: value.to_string(), reason: "is out of range", remedy: words })
-}
-
-pub fn unit(key: &'static str, vector: DVec3) -> Result<DVec3, RenderError> {
-    vector.try_normalize().ok_or_else(|| RenderError::Camera {
-        key,
-        value: format!("[{}, {}, {}]", vector.x, vector.y, vector.z),
-        reason: "has no direction",
-        remedy: "write a finite vector that is not zero, like [0, 0, 1]",
-    })
-}
-
-pub fn upright(up: DVec3, toward_eye: DVec3) -> Result<DVec3, RenderError> {
-    if up.cross(toward_eye).length() > 1e-6 {
-        return Ok(up);
-    }
-    Err(RenderError::Camera {
-        key: "up",
-        value: format!("[{}, {}, {}]", up.x, up.y, up.z),
-        reason: "is parallel to the direction of view",
-        remedy: "turn one of them, or leave `up` out",
-    })
+    let usual_up = || [usual_up, middle, long].into_iter().find(|axis| axis.dot(toward_eye).abs() < 0.95);
+    (toward_eye, view.up().or_else(usual_up).unwrap_or(long))
 }
 
 /// The nearest eye, relative to the middle, from which every point lies in the filled part of the picture.
@@ -85,6 +45,7 @@ pub fn fit_perspective(points: &[DVec3], radius: f64, tangent: f64, aspect: f64,
     (DVec3::new(x, y, distance), Lens::Perspective { tangent })
 }
 
+/// The same for an eye without perspective.
 pub fn fit_orthographic(points: &[DVec3], radius: f64, aspect: f64, fill: f64) -> (DVec3, Lens) {
     let low = points.iter().copied().fold(DVec3::MAX, DVec3::min);
     let high = points.iter().copied().fold(DVec3::MIN, DVec3::max);

@@ -3,12 +3,14 @@
 use glam::{DAffine3, DMat3, DVec3};
 
 use super::{
-    Camera, Extent, Output, RenderError,
-    camera::Lens,
-    framing::{fit_orthographic, fit_perspective, in_range, orientation},
+    extent::Extent,
+    eye::Camera,
+    framing::{fit_orthographic, fit_perspective, orientation},
+    lens::Lens,
+    view::{View, ViewKey},
 };
 use crate::{
-    scene::{CameraSection, Extrapolation},
+    render::{Output, RenderError},
     timeline::Keyframes,
 };
 
@@ -28,7 +30,11 @@ pub struct CameraMotion {
     turntable: f64,
     /// Distance of the eye along the axis of view at rest.
     distance: f64,
-    keys: Keyframes<Pose>,
+    keys: Option<Keyframes<ViewKey>>,
+    /// What is in the middle of the picture unless a key says otherwise.
+    middle: DVec3,
+    /// How far the eye is beside it then, to the right and up.
+    beside: DVec3,
 }
 
 /// Where the eye is at a key.
@@ -57,10 +63,10 @@ impl Pose {
     }
 }
 
-const FIELD_OF_VIEW_DEGREES: f64 = 30.0;
-const FILL: f64 = 0.85;
 /// Directions between which the view is taken to change nothing for the framing.
 const STEP_DEGREES: f64 = 4.0;
+/// Share of such a step that is taken for rounding.
+const STEP_ROUNDING: f64 = 1e-9;
 /// Directions that are looked at on the way from key to key.
 const STEPS_PER_KEY: usize = 32;
 const MOST_STEPS: usize = 1024;
@@ -69,22 +75,16 @@ impl CameraMotion {
     /// A camera that sees all of `extent` in a film from the first to the second time.
     ///
     /// # Errors
-    /// [`RenderError::Camera`] on impossible values, [`RenderError::NothingToFrame`] on an empty extent.
-    pub fn framing(
-        section: &CameraSection,
-        extent: &Extent,
-        output: &Output,
-        [start, end]: [f64; 2],
-    ) -> Result<Self, RenderError> {
+    /// [`RenderError::NothingToFrame`] on an empty extent.
+    pub fn framing(view: &View, extent: &Extent, output: &Output, [start, end]: [f64; 2]) -> Result<Self, RenderError> {
         let (center, radius) = extent.ball().ok_or(RenderError::NothingToFrame)?;
         // A single point still gets a picture.
         let radius = if radius > 0.0 { radius } else { 1.0 };
-        let fov = in_range("field_of_view", section.field_of_view, FIELD_OF_VIEW_DEGREES, 0.0..=150.0, "0 to 150")?;
-        let fill = in_range("fill", section.fill, FILL, 0.05..=1.0, "0.05 to 1")?;
-        let (toward_eye, up) = orientation(section, extent)?;
+        let (field_of_view, fill) = (view.field_of_view(), view.fill());
+        let (toward_eye, up) = orientation(view, extent);
         let right = up.cross(toward_eye).normalize();
         let axes = DMat3::from_cols(right, toward_eye.cross(right), toward_eye);
-        let middle = section.target.map_or(center, DVec3::from_array);
+        let middle = view.target().unwrap_or(center);
         let mut motion = Self {
             rest: Camera {
                 view_from_world: DAffine3::IDENTITY,
@@ -96,30 +96,33 @@ impl CameraMotion {
             },
             axes,
             up: up.normalize(),
-            turntable: section.turntable.to_radians(),
+            turntable: view.turntable(),
             distance: 0.0,
-            keys: keys(section, middle, DVec3::ZERO)?,
+            keys: view.keys().cloned(),
+            middle,
+            beside: DVec3::ZERO,
         };
 
-        let steps = if section.keys.is_empty() { 0 } else { STEPS_PER_KEY * section.keys.len() }
-            .max((section.turntable.abs() / STEP_DEGREES).ceil() as usize)
-            .min(MOST_STEPS);
+        let keys = view.keys().map_or(&[][..], Keyframes::values);
+        let steps_of_turntable = (view.turntable().abs() / STEP_DEGREES.to_radians() - STEP_ROUNDING).ceil();
+        let steps = STEPS_PER_KEY.saturating_mul(keys.len()).max(steps_of_turntable as usize).min(MOST_STEPS);
         let mut points = Vec::new();
         for step in 0..=steps {
             let part = if steps == 0 { 0.0 } else { step as f64 / steps as f64 };
             let view_from_world = motion.axes_at(part, start + (end - start) * part).1.transpose();
             points.extend(extent.outermost().iter().map(|&point| view_from_world * (point - middle)));
         }
-        if section.target.is_some() {
+        if view.target().is_some() {
             // The target is in the middle of the picture, so both sides have to fit what one has.
             points.extend(points.clone().iter().map(|point| DVec3::new(-point.x, -point.y, point.z)));
         }
-        let farthest = motion.keys.values().iter().map(|pose| pose.target.distance(center)).fold(0.0, f64::max);
+        let targets = keys.iter().map(|key| key.target.unwrap_or(middle)).chain(keys.is_empty().then_some(middle));
+        let farthest = targets.map(|target| target.distance(center)).fold(0.0, f64::max);
         let free = output.aspect() * (1.0 - output.reserved());
-        let (mut eye, lens) = if fov == 0.0 {
+        let (mut eye, lens) = if field_of_view == 0.0 {
             fit_orthographic(&points, radius + farthest, free, fill)
         } else {
-            fit_perspective(&points, radius, libm::tan(fov.to_radians() / 2.0), free, fill)
+            fit_perspective(&points, radius, libm::tan(field_of_view / 2.0), free, fill)
         };
         // The middle of what is not reserved lies to the left of the middle of the picture.
         eye.x += output.reserved() * output.aspect() * lens.half_height_at(eye.z);
@@ -129,7 +132,7 @@ impl CameraMotion {
         };
         motion.rest.lens = lens;
         motion.distance = eye.z;
-        motion.keys = keys(section, middle, DVec3::new(eye.x, eye.y, 0.0))?;
+        motion.beside = DVec3::new(eye.x, eye.y, 0.0);
         Ok(motion)
     }
 
@@ -138,7 +141,8 @@ impl CameraMotion {
         self.up
     }
 
-    /// The camera when this part of the film has passed, 0 at its first frame and 1 behind its last, at this time.
+    /// The camera at a time of the film. `part` is the share of the film that has passed by then: 0 at its first frame, 1
+    /// one frame after its last.
     pub fn at(&self, part: f64, time: f64) -> Camera {
         let (pose, axes) = self.axes_at(part, time);
         let (distance, lens) = match self.rest.lens {
@@ -152,32 +156,39 @@ impl CameraMotion {
         Camera { view_from_world, lens, ..self.rest.clone() }
     }
 
+    fn pose(&self, key: &ViewKey) -> Pose {
+        Pose {
+            orbit: key.orbit,
+            rise: key.rise,
+            dolly: key.dolly,
+            target: key.target.unwrap_or(self.middle),
+            beside: if key.target.is_some() { DVec3::ZERO } else { self.beside },
+        }
+    }
+
     /// Pose, and right, up and toward the eye.
     fn axes_at(&self, part: f64, time: f64) -> (Pose, DMat3) {
-        let (&before, &after, between) = self.keys.around(time);
-        let pose = before.toward(after, between);
+        let pose = match &self.keys {
+            Some(keys) => {
+                let (before, after, between) = keys.around(time);
+                self.pose(before).toward(self.pose(after), between)
+            }
+            None => Pose { orbit: 0.0, rise: 0.0, dolly: 1.0, target: self.middle, beside: self.beside },
+        };
         let orbit = DMat3::from_axis_angle(self.up, self.turntable * part + pose.orbit);
         (pose, orbit * self.axes * DMat3::from_rotation_x(-pose.rise))
     }
 }
 
-/// The keys of a section, or one that changes nothing.
-fn keys(section: &CameraSection, middle: DVec3, beside: DVec3) -> Result<Keyframes<Pose>, RenderError> {
-    let mut poses: Vec<Pose> = section
-        .keys
-        .iter()
-        .map(|key| Pose {
-            orbit: key.orbit.to_radians(),
-            rise: key.rise.to_radians(),
-            dolly: key.dolly,
-            target: key.target.map_or(middle, DVec3::from_array),
-            beside: if key.target.is_some() { DVec3::ZERO } else { beside },
-        })
-        .collect();
-    let mut times: Vec<f64> = section.keys.iter().map(|key| key.time).collect();
-    if poses.is_empty() {
-        times.push(0.0);
-        poses.push(Pose { orbit: 0.0, rise: 0.0, dolly: 1.0, target: middle, beside });
+impl Camera {
+    /// A camera that sees all of `extent` as the view asks. It stands still; [`CameraMotion`] follows what the view says
+    /// of motion.
+    ///
+    /// Frame a whole film by merging the extents of its frames: the camera then never moves.
+    ///
+    /// # Errors
+    /// [`RenderError::NothingToFrame`] on an empty extent.
+    pub fn framing(view: &View, extent: &Extent, output: &Output) -> Result<Self, RenderError> {
+        Ok(CameraMotion::framing(&view.still(), extent, output, [0.0; 2])?.at(0.0, 0.0))
     }
-    Ok(Keyframes::new(times, poses, section.ease, Extrapolation::Hold)?)
 }

@@ -5,7 +5,7 @@ use obvhs::{BvhBuildParams, aabb::Aabb, bvh2::builder::build_bvh2_from_tris, tri
 use rayon::prelude::*;
 use std::time::Duration;
 
-use super::Plane;
+use crate::render::Plane;
 
 /// Where two triangles cross.
 #[derive(Clone, Copy, Debug, PartialEq)]

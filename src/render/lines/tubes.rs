@@ -1,14 +1,18 @@
 //! Which curves are drawn as lines.
 
 use glam::DVec3;
-use rayon::prelude::*;
 
 use super::{
-    Camera, FieldValues, Lines, Look, Output, Scenery,
+    edges::Edges,
     intersect::{Crossing, cuts, self_intersections},
-    project::Projection,
-    stage::Stage,
-    tube::{ScreenTube, Stroke},
+};
+use crate::{
+    immersion::FieldValues,
+    render::{
+        Camera, Look, Output, Scenery,
+        raster::{ScreenTube, Stroke},
+        stage::{Projection, Stage},
+    },
 };
 
 /// How far silhouettes lie behind their edges, as a share of the edge's length: deeper than the zigzags of
@@ -141,69 +145,5 @@ impl Pen<'_> {
     fn pixels_long(&self, ends: [DVec3; 2]) -> f32 {
         let depth = self.projection.pixel(self.projection.clip(ends[0])).z;
         (ends[0].distance(ends[1]) / self.camera.pixel_size(depth, self.output)) as f32
-    }
-}
-
-/// Edges of the drawn faces, by what they are drawn as.
-struct Edges {
-    /// Between a face whose front is seen and one whose back is.
-    silhouettes: Vec<[u32; 2]>,
-    /// Bent by more than the angle of the look.
-    creases: Vec<[u32; 2]>,
-    /// Ends of what is shown.
-    boundary: Vec<[u32; 2]>,
-    /// All of them in order, if some faces are hidden.
-    shown: Option<Vec<[u32; 2]>>,
-}
-
-impl Edges {
-    fn new(scenery: &Scenery, stage: &Stage, lines: &Lines) -> Self {
-        let hidden = scenery.shown.iter().any(|shown| !shown);
-        let whole =
-            Self { silhouettes: Vec::new(), creases: Vec::new(), boundary: scenery.boundary.to_vec(), shown: None };
-        if lines.silhouette == 0.0 && lines.crease == 0.0 && !hidden {
-            return whole;
-        }
-        let mut sides: Vec<([u32; 2], u32)> = stage
-            .faces
-            .par_iter()
-            .enumerate()
-            .flat_map_iter(|(face, corners)| {
-                [0, 1, 2].map(|k| {
-                    let (a, b) = (corners[k], corners[(k + 1) % 3]);
-                    ([a.min(b), a.max(b)], face as u32)
-                })
-            })
-            .collect();
-        sides.par_sort_unstable();
-        let front = |side: &([u32; 2], u32)| stage.shows_front[side.1 as usize];
-        let normal = |side: &([u32; 2], u32)| stage.face_normals[side.1 as usize];
-        let flattest = libm::cosf(lines.crease_angle);
-        let mut edges = whole;
-        let mut ends_here = Vec::new();
-        let mut all = Vec::new();
-        for edge in sides.chunk_by(|a, b| a.0 == b.0) {
-            if edge.iter().any(|side| front(side) != front(&edge[0])) {
-                edges.silhouettes.push(edge[0].0);
-            } else if lines.crease > 0.0
-                && let [one, other] = edge
-                && normal(one).dot(normal(other)) < flattest
-            {
-                edges.creases.push(edge[0].0);
-            }
-            if hidden {
-                all.push(edge[0].0);
-                ends_here.extend((edge.len() == 1).then_some(edge[0].0));
-            }
-        }
-        if hidden {
-            edges.boundary = ends_here;
-            edges.shown = Some(all);
-        }
-        edges
-    }
-
-    fn is_shown(&self, [a, b]: [u32; 2]) -> bool {
-        self.shown.as_ref().is_none_or(|shown| shown.binary_search(&[a.min(b), a.max(b)]).is_ok())
     }
 }

@@ -5,11 +5,24 @@ use std::{array, f32::consts::TAU, sync::LazyLock};
 use glam::Vec3;
 
 use super::color::linear_from_srgb;
-use crate::scene::{ColorMapName, FieldName};
+use crate::immersion::FieldName;
 
-/// Colours of values.
+/// Perceptual colour maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct ColorMap(pub ColorMapName);
+pub enum ColorMap {
+    /// From dark blue over green to yellow.
+    Viridis,
+    /// From black over red to pale yellow.
+    Inferno,
+    /// From dark blue over grey to yellow, for the colour-blind.
+    Cividis,
+    /// From blue over white to red, for values with a sign.
+    Diverging,
+    /// Once around the hues, for angles.
+    Cyclic,
+    /// Distinct colours, for numbers that name things.
+    Categorical,
+}
 
 /// Entries of a table; their number is odd, so that one lies exactly in the middle.
 const ENTRIES: usize = 257;
@@ -30,21 +43,19 @@ static CATEGORIES: LazyLock<[Vec3; 10]> = LazyLock::new(|| {
 impl ColorMap {
     /// A map that suits a field: diverging for values with a sign, categorical for numbers of things.
     pub fn suiting(field: FieldName) -> ColorMap {
-        ColorMap(match field {
-            FieldName::LengthError | FieldName::BendingAngle => ColorMapName::Viridis,
-            FieldName::EnergyDensity => ColorMapName::Inferno,
-            FieldName::GaussianCurvature | FieldName::MeanCurvature | FieldName::ConformalFactor => {
-                ColorMapName::Diverging
-            }
-            FieldName::Generators => ColorMapName::Categorical,
-        })
+        match field {
+            FieldName::LengthError | FieldName::BendingAngle => ColorMap::Viridis,
+            FieldName::EnergyDensity => ColorMap::Inferno,
+            FieldName::GaussianCurvature | FieldName::MeanCurvature | FieldName::ConformalFactor => ColorMap::Diverging,
+            FieldName::Generators => ColorMap::Categorical,
+        }
     }
 
     /// Linear light of a value, where `range` are the values at the ends of the map. Values outside have the colours of
     /// the ends; those of the cyclic map go on around. The categorical map has no range: a value n has the n-th of nine
     /// colours, which then repeat, and 0 is grey, as is what is not a number in any map.
     pub fn color(self, value: f32, range: [f32; 2]) -> Vec3 {
-        if self.0 == ColorMapName::Categorical {
+        if self == ColorMap::Categorical {
             return category(value);
         }
         let [low, high] = range;
@@ -54,15 +65,15 @@ impl ColorMap {
     /// Linear light at a place from 0 to 1 between the ends of the map; places outside are those of the nearer end, or
     /// go on around in the cyclic map. The categorical map has its colours 0 to 9 there.
     pub fn at(self, place: f32) -> Vec3 {
-        let table = match self.0 {
-            ColorMapName::Viridis => &*VIRIDIS,
-            ColorMapName::Inferno => &*INFERNO,
-            ColorMapName::Cividis => &*CIVIDIS,
-            ColorMapName::Diverging => &*DIVERGING,
-            ColorMapName::Cyclic => &*CYCLIC,
-            ColorMapName::Categorical => return category((place * 9.0).clamp(0.0, 9.0)),
+        let table = match self {
+            ColorMap::Viridis => &*VIRIDIS,
+            ColorMap::Inferno => &*INFERNO,
+            ColorMap::Cividis => &*CIVIDIS,
+            ColorMap::Diverging => &*DIVERGING,
+            ColorMap::Cyclic => &*CYCLIC,
+            ColorMap::Categorical => return category((place * 9.0).clamp(0.0, 9.0)),
         };
-        let place = if self.0 == ColorMapName::Cyclic { place - place.floor() } else { place.clamp(0.0, 1.0) };
+        let place = if self == ColorMap::Cyclic { place - place.floor() } else { place.clamp(0.0, 1.0) };
         if place.is_nan() {
             return CATEGORIES[0];
         }

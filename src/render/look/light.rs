@@ -2,58 +2,67 @@
 
 use glam::{Vec3, Vec3A};
 
-use super::RenderError;
-use crate::scene::LightSection;
+use crate::render::RenderError;
 
 /// A directional light in view space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Light {
-    /// Unit vector toward the light; x right, y up, z toward the eye.
-    pub direction: Vec3A,
-    /// Linear colour times strength.
-    pub color: Vec3,
-    /// How far the light reaches around the terminator, 0 (hard) to 1.
-    pub wrap: f32,
-    /// Whether it casts soft shadows.
-    pub shadow: bool,
+    direction: Vec3A,
+    color: Vec3,
+    wrap: f32,
+    shadow: bool,
 }
 
 /// All directional lights.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Lights(pub Vec<Light>);
+pub struct Lights(Vec<Light>);
 
-impl Lights {
-    /// The lights a scene asks for; none means the studio's.
+impl Light {
+    /// A light from a direction, which points toward it and may have any length; x is to the right, y up and z toward
+    /// the eye. Its colour is linear light times its strength.
     ///
     /// # Errors
-    /// [`RenderError::Light`] on a direction without length or a colour that is negative or not finite.
-    pub fn from_scene(sections: &[LightSection]) -> Result<Self, RenderError> {
-        if sections.is_empty() {
-            return Ok(Self::default());
+    /// [`RenderError::LightDirection`] on a direction without length, [`RenderError::LightColor`] on a colour that is
+    /// negative or not finite.
+    pub fn new(direction: Vec3, color: Vec3, shadow: bool) -> Result<Self, RenderError> {
+        let toward = Vec3A::from(direction).try_normalize().ok_or(RenderError::LightDirection { direction })?;
+        if !color.to_array().iter().all(|&part| part >= 0.0 && part.is_finite()) {
+            return Err(RenderError::LightColor { color });
         }
-        let lights = sections.iter().enumerate().map(|(index, section)| light_from_scene(index + 1, section));
-        Ok(Self(lights.collect::<Result<_, _>>()?))
+        Ok(Self { direction: toward, color, wrap: if shadow { KEY_WRAP } else { FILL_WRAP }, shadow })
+    }
+
+    /// Unit vector toward the light; x is to the right, y up and z toward the eye.
+    pub fn direction(&self) -> Vec3A {
+        self.direction
+    }
+
+    /// Linear colour times strength.
+    pub fn color(&self) -> Vec3 {
+        self.color
+    }
+
+    /// How far the light reaches around the terminator, from 0 (hard) to 1.
+    pub fn wrap(&self) -> f32 {
+        self.wrap
+    }
+
+    /// Whether it casts soft shadows.
+    pub fn casts_shadow(&self) -> bool {
+        self.shadow
     }
 }
 
-fn light_from_scene(index: usize, section: &LightSection) -> Result<Light, RenderError> {
-    let direction =
-        Vec3A::from_array(section.direction.map(|value| value as f32)).try_normalize().ok_or(RenderError::Light {
-            index,
-            key: "direction",
-            reason: "has no direction",
-            remedy: "write a vector toward the light in view space, like [-0.5, 0.6, 0.6]",
-        })?;
-    if !section.color.iter().all(|&value| value >= 0.0 && value.is_finite()) {
-        return Err(RenderError::Light {
-            index,
-            key: "color",
-            reason: "has a negative or non-finite part",
-            remedy: "write linear red, green and blue like [0.8, 0.78, 0.74]",
-        });
+impl Lights {
+    /// These lights and no others; without any, a surface has ambient light only.
+    pub fn new(lights: Vec<Light>) -> Self {
+        Self(lights)
     }
-    let color = Vec3::from_array(section.color.map(|value| value as f32));
-    Ok(Light { direction, color, wrap: if section.shadow { KEY_WRAP } else { FILL_WRAP }, shadow: section.shadow })
+
+    /// All of them in order.
+    pub fn all(&self) -> &[Light] {
+        &self.0
+    }
 }
 
 const KEY_WRAP: f32 = 0.2;

@@ -2,11 +2,47 @@
 
 use glam::Vec3;
 
-use super::{ColorMap, Lines, Look, Material, Paint, Pattern, color::linear_from_srgb};
-use crate::scene::{ColorMapName, LookName, PatternKind};
+use super::{
+    appearance::{Look, Paint},
+    color::linear_from_srgb,
+    color_map::ColorMap,
+    lines::Lines,
+    material::Material,
+    pattern::{Pattern, PatternKind},
+};
 
 const WARM_WHITE: [u8; 3] = [0xF4, 0xF3, 0xF0];
 const INK: [u8; 3] = [0x2B, 0x23, 0x20];
+
+/// Named looks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum LookName {
+    /// Two-coloured, three lights, on warm white.
+    #[default]
+    Studio,
+    /// One matte colour, ambient light and a shadow on the ground.
+    Clay,
+    /// Thin, see-through, opaque where it is seen edge-on.
+    Soap,
+    /// Stripes with see-through gaps.
+    Bands,
+    /// White, lines only.
+    Blueprint,
+    /// Length error as colour, with a legend.
+    Error,
+}
+
+impl LookName {
+    /// All of them by their names.
+    pub const ALL: [(&'static str, LookName); 6] = [
+        ("studio", LookName::Studio),
+        ("clay", LookName::Clay),
+        ("soap", LookName::Soap),
+        ("bands", LookName::Bands),
+        ("blueprint", LookName::Blueprint),
+        ("error", LookName::Error),
+    ];
+}
 
 impl Look {
     /// A look by name.
@@ -134,7 +170,7 @@ fn blueprint() -> Look {
 fn error() -> Look {
     let studio = Look::default();
     Look {
-        paint: Paint::Map { map: ColorMap(ColorMapName::Viridis), range: [0.0, 1.0] },
+        paint: Paint::Map { map: ColorMap::Viridis, range: [0.0, 1.0] },
         material: Material::Studio { gloss: 0.3 },
         background: [Vec3::ONE; 2],
         sky: Vec3::new(0.56, 0.57, 0.59),

@@ -1,6 +1,6 @@
 //! Which primitives can touch which tile.
 
-use super::Output;
+use crate::render::Output;
 
 /// The tiles of a picture: squares on a grid that starts in its upper left corner, of which those that
 /// meet the window are made.

@@ -4,11 +4,8 @@
 //! question whether a sample is inside has one answer: triangles that share an edge leave no crack and
 //! hit no sample twice.
 
-use super::{
-    lanes,
-    project::ScreenTriangle,
-    samples::{SUBPIXELS, SamplePattern},
-};
+use super::{lanes, region::Region, samples::SamplePattern};
+use crate::render::stage::{SUBPIXELS, ScreenTriangle};
 
 /// Pixels along a side of the blocks that are accepted or rejected as a whole.
 pub const BLOCK: i32 = 8;
@@ -18,51 +15,6 @@ const SMALL: i32 = 12;
 const SAMPLE_STEP: i32 = 4;
 /// Sample places per pixel.
 const STEPS: i32 = SUBPIXELS >> SAMPLE_STEP;
-
-/// A rectangle of pixels, ends excluded.
-#[derive(Clone, Copy, Debug)]
-pub struct Region {
-    pub x: [i32; 2],
-    pub y: [i32; 2],
-}
-
-impl Region {
-    /// What two rectangles have in common, if anything.
-    pub fn common(&self, other: &Region) -> Option<Region> {
-        let span = |a: [i32; 2], b: [i32; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-        let common = Region { x: span(self.x, other.x), y: span(self.y, other.y) };
-        (common.x[0] < common.x[1] && common.y[0] < common.y[1]).then_some(common)
-    }
-
-    pub fn width(&self) -> i32 {
-        self.x[1] - self.x[0]
-    }
-
-    pub fn height(&self) -> i32 {
-        self.y[1] - self.y[0]
-    }
-
-    /// Its upper and lower half, or left and right if it is one row.
-    pub fn halves(&self) -> [Region; 2] {
-        if self.height() > 1 {
-            let middle = self.y[0] + self.height() / 2;
-            [Region { y: [self.y[0], middle], ..*self }, Region { y: [middle, self.y[1]], ..*self }]
-        } else {
-            let middle = self.x[0] + self.width() / 2;
-            [Region { x: [self.x[0], middle], ..*self }, Region { x: [middle, self.x[1]], ..*self }]
-        }
-    }
-
-    /// The pixel at a place in rows of the region.
-    pub fn pixel(&self, index: usize) -> [i32; 2] {
-        [self.x[0] + index as i32 % self.width(), self.y[0] + index as i32 / self.width()]
-    }
-
-    /// Place of a pixel in rows of the region.
-    pub fn index(&self, x: i32, y: i32) -> usize {
-        ((y - self.y[0]) * self.width() + x - self.x[0]) as usize
-    }
-}
 
 /// What triangles are drawn on.
 pub trait Target<const S: usize> {
@@ -87,7 +39,7 @@ pub fn draw<const S: usize>(
     let Some(part) = touched.common(region) else { return };
     target.begin(triangle.id);
     let outline = Outline::new(triangle, pattern);
-    let plane = Plane::new(triangle, pattern);
+    let plane = DepthPlane::new(triangle, pattern);
     if touched.width().max(touched.height()) <= SMALL {
         let origin = [touched.x[0], touched.y[0]];
         let start = [outline.at(0, origin) as i32, outline.at(1, origin) as i32, outline.at(2, origin) as i32];
@@ -176,7 +128,7 @@ impl<const S: usize> Outline<S> {
     fn fill(
         &self,
         start: [i32; 3],
-        depth: &SeenPlane<S>,
+        depth: &SeenDepth<S>,
         origin: [i32; 2],
         region: &Region,
         target: &mut impl Target<S>,
@@ -200,14 +152,14 @@ impl<const S: usize> Outline<S> {
 }
 
 /// The depth of a triangle in double precision.
-struct Plane<const S: usize> {
+struct DepthPlane<const S: usize> {
     depth: [f64; 3],
     slope: [f32; 2],
     to_samples: [f32; S],
     range: [f32; 2],
 }
 
-impl<const S: usize> Plane<S> {
+impl<const S: usize> DepthPlane<S> {
     #[inline(always)]
     fn new(triangle: &ScreenTriangle, pattern: &SamplePattern<S>) -> Self {
         let slope = [triangle.depth[1] as f32, triangle.depth[2] as f32];
@@ -217,20 +169,20 @@ impl<const S: usize> Plane<S> {
     }
 
     #[inline(always)]
-    fn seen_from(&self, [x, y]: [i32; 2]) -> SeenPlane<'_, S> {
+    fn seen_from(&self, [x, y]: [i32; 2]) -> SeenDepth<'_, S> {
         let start = self.depth[0] + self.depth[1] * f64::from(x) + self.depth[2] * f64::from(y);
-        SeenPlane { plane: self, start: start as f32 }
+        SeenDepth { plane: self, start: start as f32 }
     }
 }
 
 /// The depth around a pixel, where single precision is enough. It depends on the triangle alone, not on the region
 /// that is drawn, so that parts of a picture have the bits of the whole.
-struct SeenPlane<'a, const S: usize> {
-    plane: &'a Plane<S>,
+struct SeenDepth<'a, const S: usize> {
+    plane: &'a DepthPlane<S>,
     start: f32,
 }
 
-impl<const S: usize> SeenPlane<'_, S> {
+impl<const S: usize> SeenDepth<'_, S> {
     #[inline(always)]
     fn at(&self, x: i32, y: i32) -> [f32; S] {
         let pixel = self.start + (self.plane.slope[0] * x as f32 + self.plane.slope[1] * y as f32);

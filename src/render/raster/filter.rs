@@ -2,11 +2,8 @@
 
 use glam::Vec4;
 
-use super::{
-    color::tone_mapped,
-    raster::Region,
-    samples::{SamplePattern, filter_weights},
-};
+use super::{region::Region, samples::SamplePattern};
+use crate::render::look::tone_mapped;
 
 /// The light at the samples of a tile: red, green, blue, multiplied by coverage, and coverage.
 pub struct LightTile<const S: usize> {
@@ -129,4 +126,33 @@ impl<const S: usize> Filter<S> {
         // Full coverage is exactly 1, whatever the rounding of the weights.
         if sum.w > 1.0 - 1e-5 { sum / sum.w } else { sum }
     }
+}
+
+/// Radius of the reconstruction filter in pixels; it reaches into the eight neighbours.
+const FILTER_RADIUS: f32 = 1.5;
+
+/// Weights of the samples of a pixel and its neighbours, row by row, that sum to 1.
+///
+/// A Blackman-Harris bell: no negative lobes, hence no ringing at the outline. With one sample per
+/// pixel there is nothing to reconstruct from, and the sample itself is the pixel.
+fn filter_weights<const S: usize>(pattern: &SamplePattern<S>) -> [[f32; S]; 9] {
+    let weight = |neighbour: usize, sample: usize| {
+        if S == 1 {
+            return if neighbour == 4 { 1.0 } else { 0.0 };
+        }
+        let place = pattern.place(sample);
+        bell((neighbour % 3) as f32 - 1.5 + place[0]) * bell((neighbour / 3) as f32 - 1.5 + place[1])
+    };
+    let weights: [[f32; S]; 9] =
+        std::array::from_fn(|neighbour| std::array::from_fn(|sample| weight(neighbour, sample)));
+    let sum: f32 = weights.iter().flatten().sum();
+    weights.map(|weights| weights.map(|weight| weight / sum))
+}
+
+fn bell(offset: f32) -> f32 {
+    if offset.abs() >= FILTER_RADIUS {
+        return 0.0;
+    }
+    let phase = std::f32::consts::PI * (offset / FILTER_RADIUS + 1.0);
+    0.358_75 - 0.488_29 * libm::cosf(phase) + 0.141_28 * libm::cosf(2.0 * phase) - 0.011_68 * libm::cosf(3.0 * phase)
 }

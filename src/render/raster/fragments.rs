@@ -12,8 +12,9 @@
 use glam::{Vec3, Vec4};
 
 use super::{
-    raster::{Region, Target},
-    tile::{NOTHING, SampleTile},
+    draw::Target,
+    region::Region,
+    sample_tile::{NOTHING, SampleTile},
 };
 
 /// Bytes of the fragments of one tile in the making.

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::{Pattern, raster::Target, samples::SamplePattern, stage::Stage};
-use crate::scene::PatternKind;
+use super::{draw::Target, samples::SamplePattern};
+use crate::render::{Pattern, PatternKind, stage::Stage};
 
 /// The gaps of a picture.
 pub struct Gaps<'a> {

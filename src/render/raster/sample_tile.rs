@@ -1,8 +1,9 @@
 //! The visibility buffer of a tile: which primitive each sample sees, and how far away.
 
 use super::{
+    draw::{BLOCK, Target},
     lanes::{self, take_nearer},
-    raster::{BLOCK, Region, Target},
+    region::Region,
     samples::SamplePattern,
     tube::ScreenTube,
 };
@@ -24,9 +25,9 @@ pub struct SampleTile<const S: usize> {
     pattern: SamplePattern<S>,
     depth: Vec<[f32; S]>,
     id: Vec<[u32; S]>,
-    /// No sample of a block is farther than this, once it is known …
+    /// No sample of a block is farther than this, unless the block is stale.
     farthest: Vec<f32>,
-    /// … which it is not where something was drawn since.
+    /// Whether something was drawn into a block since its farthest sample was looked for.
     stale: Vec<bool>,
     blocks: Region,
     /// What is being drawn.
@@ -68,7 +69,9 @@ impl<const S: usize> SampleTile<S> {
     /// Draws a tube, whose places are exact distances to its axis.
     pub fn draw_tube(&mut self, id: u32, tube: &ScreenTube) {
         let [across, down] = tube.pixels();
-        let touched = Region { x: [across[0], across[1] + 1], y: [down[0], down[1] + 1] };
+        // A very wide tube may reach beyond all numbers.
+        let pixels_to = |[first, last]: [i32; 2]| [first, last.saturating_add(1)];
+        let touched = Region { x: pixels_to(across), y: pixels_to(down) };
         let Some(region) = touched.common(&self.outer) else { return };
         self.begin(id);
         for y in region.y[0]..region.y[1] {

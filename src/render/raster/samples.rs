@@ -1,7 +1,4 @@
-//! Where in a pixel the samples lie, and how they are weighted into a picture.
-
-/// Subpixels per pixel: vertices and samples lie on this grid.
-pub const SUBPIXELS: i32 = 256;
+//! Where in a pixel the samples lie.
 
 /// Sample places within a pixel in sixteenths, on rotated grids: no two share a row or a column
 /// (up to the symmetry of the one in the middle).
@@ -68,33 +65,4 @@ impl<const S: usize> SamplePattern<S> {
         let (x, y, count) = seen.fold((0, 0, 0), |(x, y, count), s| (x + self.x[s], y + self.y[s], count + 1));
         if count == 0 { [0.5; 2] } else { [x, y].map(|sum| sum as f32 / (16 * count) as f32) }
     }
-}
-
-/// Radius of the reconstruction filter in pixels; it reaches into the eight neighbours.
-const FILTER_RADIUS: f32 = 1.5;
-
-/// Weights of the samples of a pixel and its neighbours, row by row, that sum to 1.
-///
-/// A Blackman-Harris bell: no negative lobes, hence no ringing at the outline. With one sample per
-/// pixel there is nothing to reconstruct from, and the sample itself is the pixel.
-pub fn filter_weights<const S: usize>(pattern: &SamplePattern<S>) -> [[f32; S]; 9] {
-    let weight = |neighbour: usize, sample: usize| {
-        if S == 1 {
-            return if neighbour == 4 { 1.0 } else { 0.0 };
-        }
-        let place = pattern.place(sample);
-        bell((neighbour % 3) as f32 - 1.5 + place[0]) * bell((neighbour / 3) as f32 - 1.5 + place[1])
-    };
-    let weights: [[f32; S]; 9] =
-        std::array::from_fn(|neighbour| std::array::from_fn(|sample| weight(neighbour, sample)));
-    let sum: f32 = weights.iter().flatten().sum();
-    weights.map(|weights| weights.map(|weight| weight / sum))
-}
-
-fn bell(offset: f32) -> f32 {
-    if offset.abs() >= FILTER_RADIUS {
-        return 0.0;
-    }
-    let phase = std::f32::consts::PI * (offset / FILTER_RADIUS + 1.0);
-    0.358_75 - 0.488_29 * libm::cosf(phase) + 0.141_28 * libm::cosf(2.0 * phase) - 0.011_68 * libm::cosf(3.0 * phase)
 }

@@ -2,7 +2,7 @@
 
 use glam::{DVec3, Vec2, Vec3A};
 
-use super::{Camera, Output};
+use crate::render::{Camera, Output};
 
 /// A line segment on the picture with round ends.
 #[derive(Clone, Debug)]

@@ -4,10 +4,11 @@ use glam::{DVec3, Vec3A, Vec4};
 use rayon::prelude::*;
 
 use super::{
-    Film, Plane,
-    shade::Shader,
-    trace::{Occluder, disk_points, scrambled_turn, tangents, turned},
+    directions::{disk_points, scrambled_turn, tangents, turned},
+    shader::Shader,
+    trace::Occluder,
 };
+use crate::render::{Picture, Plane};
 
 /// Texels along a side of the square in which darkness is known.
 const SIDE: usize = 144;
@@ -33,13 +34,13 @@ struct Ground {
     darkness: Vec<f32>,
 }
 
-/// Darkens the background of a film where the surface throws a shadow on a plane below it (of the world; its
+/// Darkens the background of a picture where the surface throws a shadow on a plane below it (of the world; its
 /// normal points up). Nothing happens if the eye is below the plane.
-pub fn draw_ground_shadow(film: &mut Film, plane: Plane, shader: &Shader) {
+pub fn draw_ground_shadow(picture: &mut Picture, plane: Plane, shader: &Shader) {
     let strength = shader.look.ground_shadow;
     let Some(ground) = Ground::new(plane, shader) else { return };
-    let (width, [left, top]) = (film.width, film.corner);
-    film.beauty.par_iter_mut().enumerate().with_min_len(4096).for_each(|(index, pixel)| {
+    let (width, [left, top]) = (picture.width, picture.corner);
+    picture.beauty.par_iter_mut().enumerate().with_min_len(4096).for_each(|(index, pixel)| {
         if pixel.w < 1.0 {
             let (origin, direction) =
                 shader.stage.ray([(left + index % width) as f32 + 0.5, (top + index / width) as f32 + 0.5]);
@@ -64,9 +65,9 @@ impl Ground {
         let occluder = shader.visibility.occluder();
         let axes = tangents(normal);
         let mut ground = Self { origin, normal, axes, darkness: Vec::new() };
-        let key = shader.lights.0.iter().find(|light| light.shadow).map(|light| {
-            let rise = light.direction.dot(normal);
-            (light.direction + normal * (LOWEST - rise).max(0.0)).normalize()
+        let key = shader.lights.all().iter().find(|light| light.casts_shadow()).map(|light| {
+            let rise = light.direction().dot(normal);
+            (light.direction() + normal * (LOWEST - rise).max(0.0)).normalize()
         });
         let points = disk_points(RAYS);
         let darkness: Vec<f32> = (0..SIDE * SIDE)

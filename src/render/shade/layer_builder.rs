@@ -2,11 +2,10 @@
 
 use glam::{DVec3, Vec2, Vec3, Vec3A};
 
-use super::{
+use super::shader::Shader;
+use crate::render::{
     Layers,
-    frame::Seen,
-    shade::Shader,
-    tile::{FIRST_TUBE, NOTHING},
+    raster::{FIRST_TUBE, NOTHING, Seen},
 };
 
 /// Layers in the making, row by row.

@@ -2,7 +2,7 @@
 
 use glam::{Vec3, Vec3A};
 
-use super::{Light, Lights, Look, Matcap, Material};
+use crate::render::{Light, Lights, Look, Matcap, Material};
 
 /// A point of the surface in the light.
 pub struct Lit<'a> {
@@ -57,34 +57,34 @@ impl Lit<'_> {
 
     /// Each light with the cosine of its angle, wrapped around the terminator, and the share that arrives.
     fn arriving(&self, seen: impl Fn(usize, &Light) -> f32) -> impl Iterator<Item = (&Light, f32, f32)> {
-        self.lights.0.iter().enumerate().filter_map(move |(index, light)| {
-            let cosine = self.normal.dot(light.direction);
-            let lambert = (cosine + light.wrap) / (1.0 + light.wrap);
+        self.lights.all().iter().enumerate().filter_map(move |(index, light)| {
+            let cosine = self.normal.dot(light.direction());
+            let lambert = (cosine + light.wrap()) / (1.0 + light.wrap());
             (lambert > 0.0).then(|| {
-                let share = if light.shadow && self.look.shadows { seen(index, light) } else { 1.0 };
+                let share = if light.casts_shadow() && self.look.shadows { seen(index, light) } else { 1.0 };
                 (light, lambert, share)
             })
         })
     }
 
     fn diffuse(&self, seen: impl Fn(usize, &Light) -> f32) -> Vec3 {
-        let from_lights = self.arriving(seen).map(|(light, lambert, share)| light.color * (lambert * leaked(share)));
+        let from_lights = self.arriving(seen).map(|(light, lambert, share)| light.color() * (lambert * leaked(share)));
         self.ambient(self.normal.y) * occlusion(self.sky, self.albedo) + from_lights.sum::<Vec3>()
     }
 
     fn halfway(&self, light: &Light) -> f32 {
-        self.normal.dot((light.direction + self.toward_eye).normalize_or_zero()).max(0.0)
+        self.normal.dot((light.direction() + self.toward_eye).normalize_or_zero()).max(0.0)
     }
 
     fn studio(&self, gloss: f32, seen: impl Fn(usize, &Light) -> f32) -> Leaving {
         let mut diffuse = self.ambient(self.normal.y) * occlusion(self.sky, self.albedo);
         let mut highlight = Vec3::ZERO;
         for (light, lambert, share) in self.arriving(seen) {
-            diffuse += light.color * (lambert * leaked(share));
-            let cosine = self.normal.dot(light.direction);
-            if light.shadow && cosine > 0.0 {
+            diffuse += light.color() * (lambert * leaked(share));
+            let cosine = self.normal.dot(light.direction());
+            if light.casts_shadow() && cosine > 0.0 {
                 let fade = (cosine * 4.0).min(1.0);
-                highlight += light.color * (gloss * lobes(self.halfway(light)) * share * fade);
+                highlight += light.color() * (gloss * lobes(self.halfway(light)) * share * fade);
             }
         }
         let grazing = 1.0 - self.normal.dot(self.toward_eye).clamp(0.0, 1.0);
@@ -110,16 +110,16 @@ impl Lit<'_> {
         let mut highlight = Vec3::ZERO;
         let alpha = roughness * roughness;
         for (light, lambert, share) in self.arriving(seen) {
-            body += base * kept * light.color * (lambert * leaked(share));
-            let cosine = self.normal.dot(light.direction);
+            body += base * kept * light.color() * (lambert * leaked(share));
+            let cosine = self.normal.dot(light.direction());
             if cosine > 0.0 {
-                let halfway = (light.direction + self.toward_eye).normalize_or_zero();
+                let halfway = (light.direction() + self.toward_eye).normalize_or_zero();
                 let fresnel = schlick(face_on, halfway.dot(self.toward_eye).max(0.0));
                 let density = ggx(self.normal.dot(halfway).max(0.0), alpha);
                 let shadowing = smith(cosine, facing, alpha);
                 // A light's colour is what white paper facing it shows: pi times its radiance.
                 let strength = std::f32::consts::PI * density * shadowing * cosine * share;
-                highlight += fresnel * bounces * light.color * strength.min(8.0);
+                highlight += fresnel * bounces * light.color() * strength.min(8.0);
             }
         }
         let cover = (reflected + highlight).max_element().min(1.0);
@@ -143,23 +143,6 @@ impl Lit<'_> {
         let right = Vec3A::Y.cross(self.toward_eye).normalize_or(Vec3A::X);
         let up = self.toward_eye.cross(right);
         matcap.at(self.normal.dot(right), self.normal.dot(up))
-    }
-}
-
-impl Matcap {
-    /// The colour at a place on the disk of radius 1, x right and y up, between pixels.
-    pub fn at(&self, x: f32, y: f32) -> Vec3 {
-        let last = self.side.saturating_sub(1) as f32;
-        let place = |value: f32| ((value.clamp(-1.0, 1.0) * 0.5 + 0.5) * self.side as f32 - 0.5).clamp(0.0, last);
-        let (column, row) = (place(x), place(-y));
-        let pixel = |column: f32, row: f32| {
-            let index = row.min(last) as usize * self.side + column.min(last) as usize;
-            self.pixels.get(index).copied().unwrap_or(Vec3::ONE)
-        };
-        let (left, top) = (column.floor(), row.floor());
-        let upper = pixel(left, top).lerp(pixel(left + 1.0, top), column - left);
-        let lower = pixel(left, top + 1.0).lerp(pixel(left + 1.0, top + 1.0), column - left);
-        upper.lerp(lower, row - top)
     }
 }
 

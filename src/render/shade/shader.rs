@@ -3,12 +3,15 @@
 use glam::{Vec2, Vec3, Vec3A};
 
 use super::{
+    directions::side_normal,
+    reflection::{Leaving, Lit},
+    visibility::{Shade, Visibility},
+};
+use crate::render::{
     Camera, Light, Lights, Look, Material, Output, Paint, Scenery,
-    material::{Leaving, Lit},
-    pattern::{Mark, Spread},
+    look::{Mark, Spread},
+    raster::{ScreenTube, Stroke},
     stage::Stage,
-    tube::{ScreenTube, Stroke},
-    visibility::{Shade, Visibility, side_normal},
 };
 
 /// All that shading reads.

@@ -8,10 +8,11 @@ use glam::Vec3A;
 use rayon::prelude::*;
 
 use super::{
-    Light, Lights, Look, Material,
-    stage::Stage,
-    trace::{Occluder, disk_points, scrambled_turn, tangents, turned},
+    directions::{disk_points, scrambled_turn, side_normal, tangents, turned},
+    sky::sky_per_vertex,
+    trace::{LIFT, Occluder},
 };
+use crate::render::{Light, Lights, Look, Material, stage::Stage};
 
 /// What was found out before shading.
 pub struct Visibility {
@@ -34,34 +35,26 @@ pub enum Shade {
     Mixed,
 }
 
-/// Rays per vertex and side toward the sky, fewer on meshes so dense that neighbours help.
-const SKY_RAYS: std::ops::RangeInclusive<usize> = 12..=96;
-/// … so that all together there are about this many.
-const SKY_RAY_BUDGET: usize = 2_500_000;
-/// Averaging over neighbours removes what noise is left: this many times with all rays, more often with
-/// fewer.
-const SKY_SMOOTHING: usize = 2;
 /// Rays per shadow.
 const SHADOW_RAYS: usize = 16;
-/// Of which these come first.
+/// How many of these rays are sent first: those that point to the edge of the light.
 const SHADOW_PROBES: usize = 6;
 /// Radius of a light, as the tangent of the angle it is seen under.
 const LIGHT_RADIUS: f32 = 0.08;
-/// Rays start this far above the surface, in framed radii.
-const LIFT: f32 = 1e-3;
 /// Shadow rays rise above the surface by at least this sine, so that a coarse mesh does not shade itself.
 const LEAST_RISE: f32 = 0.15;
-/// Faces with an edge longer than this many pixels are looked at between their corners too, at points this far apart;
+/// Faces with an edge longer than this, in pixels, are looked at between their corners too.
 const LARGE_FACE: f32 = 48.0;
+/// How far apart, in pixels, the points lie at which such a face is looked at.
 const PROBES_APART: f32 = 24.0;
-/// … and pixel by pixel, if that would be more points along an edge than this.
+/// A face that would have more such points along an edge than this is looked at pixel by pixel.
 const MOST_PROBES: f32 = 32.0;
 
 impl Visibility {
     pub fn new(stage: &Stage, lights: &Lights, look: &Look) -> Self {
         let lit = look.material != Material::Flat;
         let occlusion = lit && look.occlusion > 0.0 && look.occlusion_reach > 0.0;
-        let shadows = lit && look.shadows && lights.0.iter().any(|light| light.shadow);
+        let shadows = lit && look.shadows && lights.all().iter().any(|light| light.casts_shadow());
         if !occlusion && !shadows && look.ground_shadow == 0.0 {
             let sky = [Vec::new(), Vec::new()];
             return Self { occluder: Occluder::none(), sky, shade: Vec::new(), shadow_points: Vec::new() };
@@ -78,7 +71,8 @@ impl Visibility {
             shadow_points: disk_points(SHADOW_RAYS).into_iter().rev().collect(),
         };
         if shadows {
-            visibility.shade = lights.0.iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
+            visibility.shade =
+                lights.all().iter().map(|light| visibility.shade_per_face(stage, light, &seen)).collect();
         }
         visibility
     }
@@ -102,8 +96,8 @@ impl Visibility {
     /// Share of a light seen from a point whose normal, on the side that is looked at, is given. The
     /// pattern of rays is turned by `turn` (cosine, sine).
     pub fn light_seen(&self, light: &Light, point: Vec3A, normal: Vec3A, turn: [f32; 2]) -> f32 {
-        let rise = normal.dot(light.direction);
-        let center = (light.direction + normal * (LEAST_RISE - rise).max(0.0)).normalize();
+        let rise = normal.dot(light.direction());
+        let center = (light.direction() + normal * (LEAST_RISE - rise).max(0.0)).normalize();
         let [right, up] = tangents(center);
         let origin = point + normal * LIFT;
         let blocked = |points: &[[f32; 2]]| {
@@ -123,7 +117,7 @@ impl Visibility {
     }
 
     fn shade_per_face(&self, stage: &Stage, light: &Light, seen: &[[bool; 2]]) -> Vec<Shade> {
-        if !light.shadow {
+        if !light.casts_shadow() {
             return Vec::new();
         }
         // Least and greatest share per vertex and side; vertices that face away say nothing.
@@ -133,7 +127,7 @@ impl Visibility {
             .map(|vertex| {
                 [0, 1].map(|side| {
                     let normal = side_normal(stage.normals[vertex], side);
-                    if !seen[vertex][side] || normal.dot(light.direction) <= -light.wrap {
+                    if !seen[vertex][side] || normal.dot(light.direction()) <= -light.wrap() {
                         return [1.0, 0.0];
                     }
                     let share = self.light_seen(light, stage.positions[vertex], normal, scrambled_turn(vertex as u32));
@@ -176,8 +170,8 @@ impl Visibility {
             .collect()
     }
 
-    /// The range of shares of a light at the corners of a face, widened by those at the points of a grid that cuts
-    /// its edges into so many parts.
+    /// The range of shares of a light at the corners of a face, widened by those at the points of a grid that cuts each of
+    /// its edges into `parts` pieces.
     fn range_within(&self, stage: &Stage, light: &Light, face: usize, parts: usize, range: [f32; 2]) -> [f32; 2] {
         let corners = stage.faces[face].map(|vertex| vertex as usize);
         let side = usize::from(!stage.shows_front[face]);
@@ -186,7 +180,7 @@ impl Visibility {
             let weights = [i, j, parts - i - j].map(|part| part as f32 / parts as f32);
             let blend = |values: &[Vec3A]| (0..3).map(|k| values[corners[k]] * weights[k]).sum::<Vec3A>();
             let normal = side_normal(blend(&stage.normals).normalize_or_zero(), side);
-            if normal.dot(light.direction) > -light.wrap {
+            if normal.dot(light.direction()) > -light.wrap() {
                 let turn = scrambled_turn((face * 1024 + i * 32 + j) as u32);
                 let share = self.light_seen(light, blend(&stage.positions), normal, turn);
                 range = [range[0].min(share), range[1].max(share)];
@@ -206,61 +200,4 @@ fn shade_of([low, high]: [f32; 2]) -> Shade {
         (_, high) if high <= 0.0 => Shade::Dark,
         _ => Shade::Mixed,
     }
-}
-
-/// The normal on one side (0 front, 1 back).
-pub fn side_normal(normal: Vec3A, side: usize) -> Vec3A {
-    if side == 0 { normal } else { -normal }
-}
-
-fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], side: usize, reach: f32) -> Vec<f32> {
-    let wanted = seen.iter().filter(|sides| sides[side]).count().max(1);
-    let rays = (SKY_RAY_BUDGET / wanted).clamp(*SKY_RAYS.start(), *SKY_RAYS.end());
-    let points = disk_points(rays);
-    let mut sky: Vec<f32> = (0..stage.positions.len())
-        .into_par_iter()
-        .with_min_len(64)
-        .map(|vertex| {
-            let normal = side_normal(stage.normals[vertex], side);
-            if !seen[vertex][side] || normal == Vec3A::ZERO {
-                return 1.0;
-            }
-            let [right, up] = tangents(normal);
-            let turn = scrambled_turn(vertex as u32);
-            let origin = stage.positions[vertex] + normal * LIFT;
-            let hidden: f32 = points
-                .iter()
-                .map(|&place| {
-                    // Even on the disk is cosine-weighted on the hemisphere.
-                    let [x, y] = turned(place, turn);
-                    let height = (1.0 - x * x - y * y).max(0.0).sqrt();
-                    let direction = (right * x + up * y + normal * height).normalize();
-                    occluder.distance(origin, direction, reach).map_or(0.0, |far| (1.0 - far / reach).max(0.0).sqrt())
-                })
-                .sum();
-            1.0 - hidden / rays as f32
-        })
-        .collect();
-    for _ in 0..SKY_SMOOTHING * SKY_RAYS.end() / rays {
-        sky = smoothed(stage, &sky, side);
-    }
-    sky
-}
-
-/// Each vertex takes half of its value from its neighbours, over the faces seen from this side.
-fn smoothed(stage: &Stage, values: &[f32], side: usize) -> Vec<f32> {
-    let mut sums = vec![(0.0_f32, 0.0_f32); values.len()];
-    for (corners, &front) in stage.faces.iter().zip(&stage.shows_front) {
-        if usize::from(!front) != side {
-            continue;
-        }
-        for k in 0..3 {
-            let around = values[corners[(k + 1) % 3] as usize] + values[corners[(k + 2) % 3] as usize];
-            let sum = &mut sums[corners[k] as usize];
-            *sum = (sum.0 + around, sum.1 + 2.0);
-        }
-    }
-    let blend =
-        |(&value, &(sum, count)): (&f32, &(f32, f32))| if count > 0.0 { (value + sum / count) / 2.0 } else { value };
-    values.iter().zip(&sums).map(blend).collect()
 }

@@ -2,7 +2,10 @@
 
 use glam::{DMat4, DVec3, DVec4};
 
-use super::{Camera, Look, Output, samples::SUBPIXELS};
+use crate::render::{Camera, Look, Output};
+
+/// Subpixels per pixel: vertices and samples lie on this grid.
+pub const SUBPIXELS: i32 = 256;
 
 /// A triangle on the subpixel grid, wound so that its inside is on the right of its edges (y down).
 #[derive(Clone, Debug)]

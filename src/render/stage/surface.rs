@@ -3,7 +3,12 @@
 use glam::{DVec3, Vec2, Vec3A};
 use rayon::prelude::*;
 
-use super::{Camera, Field, Look, Output, Scenery, project::Projection};
+use super::{
+    normals::{face_normals, vertex_normals},
+    project::Projection,
+    sight::Sight,
+};
+use crate::render::{Camera, Field, Look, Output, Scenery};
 
 /// The drawable part of a surface in stage space: axes as in view space, the origin in the middle of
 /// what the camera frames, and the framed radius as the unit of length.
@@ -36,20 +41,10 @@ pub struct Stage {
     sight: Sight,
 }
 
-/// Rays of sight in stage space: what belongs to the upper left corner of the picture, and how it
-/// changes per pixel to the right and down.
-#[derive(Clone, Debug)]
-struct Sight {
-    origin: [Vec3A; 3],
-    direction: [Vec3A; 3],
-}
-
 /// Coordinates beyond this many framed radii are left out: single precision holds nothing there.
 const FARTHEST: f64 = 1e6;
 /// Triangles thinner than this (height over length) have no normal.
 const THINNEST: f64 = 1e-12;
-/// Faces whose angles are in memory at the same time.
-const FACES_AT_A_TIME: usize = 1 << 18;
 
 impl Stage {
     pub fn new(scenery: &Scenery, camera: &Camera, look: &Look, output: &Output) -> Self {
@@ -183,60 +178,4 @@ impl Stage {
         }
         seen
     }
-}
-
-impl Sight {
-    fn new(camera: &Camera, output: &Output, of_view: impl Fn(DVec3) -> Vec3A) -> Self {
-        let [corner, right, down] = [[-1.0, 1.0], [1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| camera.view_ray(x, y));
-        let (width, height) = (output.width() as f32, output.height() as f32);
-        let planes =
-            |corner: Vec3A, right: Vec3A, down: Vec3A| [corner, (right - corner) / width, (down - corner) / height];
-        Self {
-            origin: planes(of_view(corner.0), of_view(right.0), of_view(down.0)),
-            direction: planes(corner.1.as_vec3a(), right.1.as_vec3a(), down.1.as_vec3a()),
-        }
-    }
-
-    /// Origin and unit direction.
-    fn ray(&self, at: [f32; 2]) -> (Vec3A, Vec3A) {
-        let seen = |planes: &[Vec3A; 3]| planes[0] + planes[1] * at[0] + planes[2] * at[1];
-        (seen(&self.origin), seen(&self.direction).normalize())
-    }
-}
-
-/// Unit normals of faces.
-fn face_normals(faces: &[[u32; 3]], positions: &[DVec3]) -> Vec<Vec3A> {
-    let normal = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-        (b - a).cross(c - a).normalize_or_zero().as_vec3a()
-    };
-    faces.par_iter().map(normal).collect()
-}
-
-/// Sum of the normals around a vertex, weighted by the corner angles.
-fn vertex_normals(faces: &[[u32; 3]], face_normals: &[Vec3A], positions: &[DVec3]) -> Vec<Vec3A> {
-    let angles = |corners: &[u32; 3]| {
-        let points = corners.map(|vertex| positions[vertex as usize]);
-        let edges = [0, 1, 2].map(|k| (points[(k + 1) % 3] - points[k]).normalize_or_zero().as_vec3a());
-        [0, 1, 2].map(|k| angle(-edges[k].dot(edges[(k + 2) % 3])))
-    };
-    let mut sums = vec![Vec3A::ZERO; positions.len()];
-    // Angles on all threads, sums in the order of the faces: the same bits on any number of threads.
-    for first in (0..faces.len()).step_by(FACES_AT_A_TIME) {
-        let part = first..(first + FACES_AT_A_TIME).min(faces.len());
-        let angles: Vec<[f32; 3]> = faces[part.clone()].par_iter().map(angles).collect();
-        for ((corners, normal), angles) in faces[part.clone()].iter().zip(&face_normals[part]).zip(angles) {
-            for (&vertex, angle) in corners.iter().zip(angles) {
-                sums[vertex as usize] += *normal * angle;
-            }
-        }
-    }
-    sums.par_iter().map(|sum| sum.normalize_or_zero()).collect()
-}
-
-/// The angle of a cosine to 7e-5, which is plenty for a weight (Abramowitz and Stegun 4.4.45).
-fn angle(cosine: f32) -> f32 {
-    let x = cosine.abs().min(1.0);
-    let acute = (1.0 - x).sqrt() * (1.570_728_8 + x * (-0.212_114_4 + x * (0.074_261 - x * 0.018_729_3)));
-    if cosine < 0.0 { std::f32::consts::PI - acute } else { acute }
 }

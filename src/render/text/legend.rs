@@ -3,14 +3,16 @@
 use glam::{Vec2, Vec3};
 
 use super::{
-    ColorMap,
     canvas::Canvas,
-    field::description,
-    overlay::Sizes,
-    text::{Anchor, CAPITAL_HEIGHT, TextStyle, text_width},
+    draw::{Anchor, TextStyle},
+    layout::{CAPITAL_HEIGHT, text_width},
+    sizes::Sizes,
     ticks::{Ticks, superscript},
 };
-use crate::scene::{ColorMapName, FieldName};
+use crate::{
+    immersion::FieldName,
+    render::{ColorMap, look::description},
+};
 
 /// A bar of colours with numbers, or, for the categorical map, a patch for each number.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,8 +49,8 @@ impl Legend {
         Legend { title: title.to_owned(), unit: unit.to_owned(), map, range, beyond }
     }
 
-    pub(super) fn draw(&self, canvas: &mut Canvas, sizes: &Sizes, ink: Vec3) {
-        if self.map.0 == ColorMapName::Categorical {
+    pub(in crate::render) fn draw(&self, canvas: &mut Canvas, sizes: &Sizes, ink: Vec3) {
+        if self.map == ColorMap::Categorical {
             self.draw_patches(canvas, sizes, ink);
         } else {
             self.draw_bar(canvas, sizes, ink);

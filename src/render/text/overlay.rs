@@ -3,11 +3,26 @@
 use glam::{Vec2, Vec3};
 
 use super::{
-    Film, Legend,
-    color::linear_from_srgb,
-    text::{Anchor, CAPITAL_HEIGHT, MIDDLE_GREY, TextStyle},
+    draw::{Anchor, MIDDLE_GREY, TextStyle},
+    layout::CAPITAL_HEIGHT,
+    legend::Legend,
+    sizes::Sizes,
 };
-use crate::scene::Corner;
+use crate::render::{Picture, look::linear_from_srgb};
+
+/// Corners of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Corner {
+    /// Upper left.
+    TopLeft,
+    /// Upper right.
+    TopRight,
+    /// Lower left.
+    #[default]
+    BottomLeft,
+    /// Lower right.
+    BottomRight,
+}
 
 /// Labels and legend. Sizes go with the picture: at any size it looks the same, as far as letters stay legible.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,36 +41,11 @@ impl Default for Overlay {
     }
 }
 
-/// Lengths in pixels that go with the picture.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sizes {
-    /// Font size of labels.
-    pub label: f32,
-    /// Font size of numbers at ticks.
-    pub tick: f32,
-    /// Between the edge of the picture and what is drawn.
-    pub margin: f32,
-    /// Thickness of thin lines.
-    pub stroke: f32,
-}
-
-/// Labels in a picture: its shorter side over this.
-const LABELS_PER_SIDE: f32 = 42.0;
-/// Smaller letters cannot be read.
-const LEAST_LABEL: f32 = 10.0;
-
-impl Sizes {
-    fn of(size: Vec2, share: f32) -> Sizes {
-        let label = (size.min_element() / LABELS_PER_SIDE).max(LEAST_LABEL) * share;
-        Sizes { label, tick: 0.84 * label, margin: 1.5 * label, stroke: (label / 18.0).round().max(1.0) }
-    }
-}
-
 /// From line to line, in font sizes.
 const LEADING: f32 = 1.45;
 
-impl Film {
-    /// Draws labels and legend in the colour `ink` (linear light), such as that of [`Film::ink`].
+impl Picture {
+    /// Draws labels and legend in the colour `ink` (linear light), such as that of [`Picture::ink`].
     pub fn draw_overlay(&mut self, overlay: &Overlay, ink: Vec3) {
         let mut canvas = self.canvas();
         let size = canvas.size();

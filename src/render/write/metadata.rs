@@ -1,6 +1,6 @@
 //! What a picture file says of itself.
 
-use super::Camera;
+use crate::render::Camera;
 
 /// Where a picture comes from. Empty texts and zeros are left out of files.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -28,7 +28,7 @@ impl Metadata {
     pub const SOFTWARE: &str = concat!("immerse ", env!("CARGO_PKG_VERSION"));
 
     /// Keywords and values for files that carry text.
-    pub(super) fn texts(&self) -> Vec<(&'static str, String)> {
+    pub(in crate::render) fn texts(&self) -> Vec<(&'static str, String)> {
         let mut texts = vec![("Software", Self::SOFTWARE.to_owned())];
         if !self.scene.is_empty() {
             texts.push(("Scene", self.scene.clone()));

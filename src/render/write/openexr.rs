@@ -12,11 +12,12 @@ use exr::{
 use glam::{DMat4, DVec3};
 
 use super::{
-    Camera, Film, Layers, Metadata, RenderError,
-    film::{write_error, write_whole},
+    file::{write_error, write_whole},
+    metadata::Metadata,
 };
+use crate::render::{Camera, Layers, Picture, RenderError};
 
-impl Film {
+impl Picture {
     /// Writes an OpenEXR file of one part, ZIP compressed, in linear light with Rec. 709 primaries and without the
     /// background. The display window is the whole picture, the data window the part that was made. The file appears
     /// whole or not at all. Channels:
@@ -33,7 +34,7 @@ impl Film {
     /// | `occlusion` | half | share of the sky that is seen |
     /// | names of fields | float | not a number where no surface is |
     ///
-    /// All but the first four only if the film has layers.
+    /// All but the first four only if the picture has layers.
     ///
     /// # Errors
     /// [`RenderError::Write`] if the file cannot be encoded or written.
@@ -100,8 +101,8 @@ fn attributes(metadata: &Metadata) -> LayerAttributes {
         say("sceneHash", AttributeValue::Text(latin(&metadata.hash())));
     }
     if metadata.frame > 0 {
-        say("frame", AttributeValue::I32(metadata.frame as i32));
-        say("frames", AttributeValue::I32(metadata.frames as i32));
+        say("frame", AttributeValue::I32(count(metadata.frame)));
+        say("frames", AttributeValue::I32(count(metadata.frames)));
         say("time", AttributeValue::F64(metadata.time));
     }
     if !metadata.comment.is_empty() {
@@ -118,6 +119,11 @@ fn attributes(metadata: &Metadata) -> LayerAttributes {
         }
     }
     attributes
+}
+
+/// A number of frames as OpenEXR has it, which ends at 2³¹ − 1.
+fn count(frames: usize) -> i32 {
+    i32::try_from(frames).unwrap_or(i32::MAX)
 }
 
 /// Camera space of OpenEXR is left-handed: x to the right, y up, z in the direction of view.

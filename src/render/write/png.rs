@@ -1,24 +1,30 @@
 //! PNG files.
 
-use std::path::Path;
+use std::{io, path::Path};
 
-use png::{BitDepth, ColorType, Compression, Encoder, SrgbRenderingIntent};
+use png::{BitDepth, ColorType, Compression, Encoder, EncodingError, SrgbRenderingIntent};
 
 use super::{
-    Film, Metadata, RenderError,
-    film::{write_error, write_whole},
+    file::{write_error, write_whole},
+    metadata::Metadata,
 };
+use crate::render::{Picture, RenderError};
 
 /// How a PNG file is written; by default fast and with 8 bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Png {
-    /// 16 bits a channel in place of 8.
+    /// Whether a channel has 16 bits in place of 8.
     pub sixteen_bits: bool,
-    /// Takes more than ten times as long for files that are a good part smaller.
+    /// Whether to take more than ten times as long for a file that is clearly smaller.
     pub small: bool,
 }
 
-impl Film {
+impl Png {
+    /// Bits per channel that a file can have.
+    pub const DEPTHS: [usize; 2] = [8, 16];
+}
+
+impl Picture {
     /// Writes the picture over its background as an sRGB PNG, 8 bits dithered. The file appears whole or not at all.
     ///
     /// # Errors
@@ -28,9 +34,12 @@ impl Film {
         write_whole(path, &bytes)
     }
 
-    fn png_bytes(&self, style: Png, metadata: &Metadata) -> Result<Vec<u8>, png::EncodingError> {
+    fn png_bytes(&self, style: Png, metadata: &Metadata) -> Result<Vec<u8>, EncodingError> {
+        let side = |pixels: usize| {
+            u32::try_from(pixels).map_err(|_| EncodingError::from(io::Error::from(io::ErrorKind::FileTooLarge)))
+        };
         let mut bytes = Vec::new();
-        let mut encoder = Encoder::new(&mut bytes, self.width as u32, self.height as u32);
+        let mut encoder = Encoder::new(&mut bytes, side(self.width)?, side(self.height)?);
         encoder.set_color(ColorType::Rgb);
         encoder.set_depth(if style.sixteen_bits { BitDepth::Sixteen } else { BitDepth::Eight });
         encoder.set_compression(if style.small { Compression::High } else { Compression::Fast });
