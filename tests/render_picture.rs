@@ -8,7 +8,7 @@ use glam::{DVec3, Vec3};
 use immerse::{
     advice::Advice,
     render::{
-        Camera, Extent, Light, Lights, Lines, Look, Material, Output, Paint, Pattern, PatternKind, Picture,
+        Camera, Extent, Light, Lights, Lines, Look, Material, Output, Paint, Pattern, PatternKind, Picture, Plane,
         RenderError, Scenery, View, render,
     },
 };
@@ -251,6 +251,11 @@ fn impossible_values_are_refused_with_a_remedy() {
         (drawn(Look { wireframe: f32::NAN, ..usual.clone() }), "write 0 for none"),
         (drawn(Look { opacity: [0.5, 1.5], ..usual.clone() }), "write 0 for none"),
         (drawn(Look { lines, ..usual.clone() }), "0 for no line"),
+        (drawn(Look { cut: Some(Plane { normal: DVec3::NAN, offset: 0.0 }), ..usual.clone() }), "a normal of length 1"),
+        (
+            drawn(Look { cut: Some(Plane { normal: DVec3::ZERO, offset: 0.0 }), ..usual.clone() }),
+            "a normal of length 1",
+        ),
         (drawn(Look { pattern, ..usual }), "give widths"),
         (Output::new(8, 8, 3).expect_err("three"), "write 1, 4, 8 or 16"),
         (Output::new(0, 5, 1).expect_err("no width"), "at least 1"),

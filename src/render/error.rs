@@ -1,3 +1,5 @@
+//! Why a picture cannot be made, and what to do about it.
+
 use std::{fmt, path::PathBuf};
 
 use glam::{DVec3, Vec3};
@@ -104,6 +106,14 @@ pub enum RenderError {
         /// The periods as given.
         periods: [f32; 2],
     },
+    /// What the surface is cut with is no plane.
+    #[error("the cut has the normal {} and the offset {offset}; {}", list(*normal), self.remedy())]
+    Cut {
+        /// The normal as given, which does not have length 1.
+        normal: DVec3,
+        /// Its distance from the origin.
+        offset: f64,
+    },
     /// The picture of a sphere cannot be read.
     #[error("matcap: {} cannot be read ({reason}); {}", path.display(), self.remedy())]
     Matcap {
@@ -186,6 +196,7 @@ impl Advice for RenderError {
             RenderError::Share { .. } => "write 0 for none, 1 for all".into(),
             RenderError::LineWidth { .. } => "write a number of pixels, 0 for no line".into(),
             RenderError::Periods { .. } => "give widths in the units of the fields that the pattern runs along".into(),
+            RenderError::Cut { .. } => "give a normal of length 1 and a finite offset".into(),
             RenderError::Matcap { .. } => "give a PNG of a lit sphere that fills the picture".into(),
             RenderError::Label { fault, .. } => fault.remedy(),
             RenderError::Size { limit, .. } => format!("each side is at least 1 and at most {limit} pixels"),

@@ -1,3 +1,5 @@
+//! How large a picture is and how finely it is sampled.
+
 use super::RenderError;
 
 /// Size and sampling of a picture.
@@ -33,7 +35,8 @@ impl Output {
         Ok(Self { width, height, samples, layers: false, reserved: 0.0, window: [0, 0, width, height] })
     }
 
-    /// The same, of which only a part is made: x and y of its upper left corner, its width and height, in pixels.
+    /// The same picture, of which only a window is made. The window is given by x and y of its upper left corner, its width
+    /// and its height, all in pixels.
     ///
     /// # Errors
     /// [`RenderError::Crop`] if it is empty or does not lie in the picture.
@@ -44,8 +47,8 @@ impl Output {
         Err(RenderError::Crop { window, width: self.width, height: self.height })
     }
 
-    /// Whether a part, given by x and y of its upper left corner, its width and height, is not empty and lies in a picture
-    /// of this width and height.
+    /// Whether a window has pixels and lies in a picture of this width and height. It is given by x and y of its upper left
+    /// corner, its width and its height.
     pub fn holds(size: [usize; 2], [x, y, width, height]: [usize; 4]) -> bool {
         let fits = |start: usize, length: usize, whole: usize| {
             length > 0 && start.checked_add(length).is_some_and(|end| end <= whole)
@@ -53,7 +56,7 @@ impl Output {
         fits(x, width, size[0]) && fits(y, height, size[1])
     }
 
-    /// The part of the picture that is made: x, y, width and height; usually all of it.
+    /// The window of the picture that is made, as x, y, width and height. Usually it is the whole picture.
     pub fn window(&self) -> [usize; 4] {
         self.window
     }

@@ -20,8 +20,8 @@ const TILES_AT_A_TIME: usize = 512;
 ///
 /// # Errors
 /// [`RenderError::MissingVertex`] or [`RenderError::Length`] if the lists of the scenery do not fit each other,
-/// [`RenderError::Share`], [`RenderError::LineWidth`] or [`RenderError::Periods`] if a number of the look is impossible, and
-/// [`RenderError::TooManyPrimitives`] beyond 2³¹ triangles or lines.
+/// [`RenderError::Share`], [`RenderError::LineWidth`], [`RenderError::Cut`] or [`RenderError::Periods`] if a number of the
+/// look is impossible, and [`RenderError::TooManyPrimitives`] beyond 2³¹ triangles or lines.
 pub fn render(
     scenery: &Scenery,
     camera: &Camera,

@@ -1,9 +1,11 @@
+//! What is to be seen.
+
 use glam::DVec3;
 
 use super::{Field, Plane, RenderError};
 use crate::immersion::FieldValues;
 
-/// Triangles, and lines, that one picture takes: as many as there are ids for them in the samples of a tile.
+/// How many triangles, and how many lines, one picture takes. The samples of a tile have ids for that many of each.
 pub(super) const MOST_PRIMITIVES: usize = 0x7FFF_FFFE;
 
 /// What is to be seen: a triangulated surface, curves and fields on it, as plain borrowed data.

@@ -1,3 +1,5 @@
+//! How far surfaces reach, and which way they lie.
+
 use glam::DVec3;
 use rayon::prelude::*;
 

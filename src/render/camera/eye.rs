@@ -1,3 +1,5 @@
+//! An eye at a place, and what it sees.
+
 use glam::{DAffine3, DMat3, DMat4, DVec3, DVec4};
 
 use super::{
@@ -58,7 +60,7 @@ impl Camera {
         })
     }
 
-    /// Rotation and translation from the scene's space to the eye's.
+    /// Rotation and translation from the space of the world to that of the eye.
     pub fn view_from_world(&self) -> DAffine3 {
         self.view_from_world
     }

@@ -1,3 +1,5 @@
+//! Moments of points and of surfaces.
+
 use glam::{DMat3, DVec3};
 
 /// Weight, mean and central moments of points.

@@ -1,3 +1,5 @@
+//! All that a surface is to look like.
+
 use glam::Vec3;
 
 use super::{color_map::ColorMap, lines::Lines, material::Material, pattern::Pattern, plane::Plane};
@@ -57,10 +59,11 @@ pub enum Paint {
 }
 
 impl Look {
-    /// That shares lie between 0 and 1, and that widths of lines and periods of the pattern are finite.
+    /// That shares lie between 0 and 1, that widths of lines and periods of the pattern are finite, and that the cut is a
+    /// plane.
     ///
     /// # Errors
-    /// [`RenderError::Share`], [`RenderError::LineWidth`], [`RenderError::Periods`]
+    /// [`RenderError::Share`], [`RenderError::LineWidth`], [`RenderError::Cut`], [`RenderError::Periods`]
     pub fn validate(&self) -> Result<(), RenderError> {
         let shares = [
             (LookElement::FrontOpacity, self.opacity[0]),
@@ -95,6 +98,11 @@ impl Look {
             if !(width >= 0.0 && width.is_finite()) {
                 return Err(RenderError::LineWidth { element, width });
             }
+        }
+        if let Some(Plane { normal, offset }) = self.cut
+            && !(normal.is_normalized() && offset.is_finite())
+        {
+            return Err(RenderError::Cut { normal, offset });
         }
         match self.pattern {
             Some(Pattern { periods, .. }) if !periods.iter().all(|period| period.is_finite()) => {

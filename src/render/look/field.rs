@@ -5,7 +5,7 @@ use crate::immersion::{FieldName, FieldValues};
 /// Values of a quantity, with a name and a unit for legends and layers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// As in scene files: `length_error`.
+    /// For layers of files, as in `length_error`.
     pub name: String,
     /// Written behind numbers, such as `%` or `°`; empty for pure numbers.
     pub unit: &'static str,

@@ -101,6 +101,7 @@ fn key(error: &RenderError) -> &'static str {
     let element = match error {
         RenderError::Share { element, .. } | RenderError::LineWidth { element, .. } => *element,
         RenderError::Periods { .. } => return "look.pattern",
+        RenderError::Cut { .. } => return "look.cut",
         RenderError::Matcap { .. } => return "look.matcap",
         _ => return "look",
     };
