@@ -24,10 +24,7 @@ use std::{
 };
 
 use glam::{DMat4, DVec3};
-use immerse::{
-    render::{Camera, Extent, Lights, Lines, Look, Output, Scenery, render},
-    scene::CameraSection,
-};
+use immerse::render::{Camera, Extent, Lights, Lines, Look, Output, Scenery, View, render};
 
 const SIZE: [usize; 2] = [1920, 1080];
 const SAMPLES: usize = 4;
@@ -82,12 +79,8 @@ impl Case {
         let extent = Extent::of(&mesh.positions);
         let view = |view: usize| {
             let (sin, cos) = (TAU * view as f64 / (12 * VIEWS) as f64).sin_cos();
-            let section = CameraSection {
-                direction: Some([cos, sin, 0.9]),
-                up: Some([0.0, 0.0, 1.0]),
-                ..CameraSection::default()
-            };
-            Camera::framing(&section, &extent, &output)
+            let seen = View::default().with_direction(DVec3::new(cos, sin, 0.9))?.with_up(DVec3::Z)?;
+            Camera::framing(&seen, &extent, &output)
         };
         let cameras = (0..VIEWS).map(view).collect::<Result<_, _>>()?;
         Ok(Self { name, mesh, look, cameras, output })

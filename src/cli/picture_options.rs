@@ -7,7 +7,8 @@ use clap::{Args, ValueEnum};
 
 use super::frame_range::number;
 use super::{FrameRange, FrameRangeError};
-use crate::scene::{AnimationFormat, LookName, LookSection, Scene};
+use crate::render::LookName;
+use crate::scene::{AnimationFormat, LookSection, Scene};
 
 /// Flags of `run` and `render`; what is left out is as the scene says.
 #[derive(Args, Clone, Debug, Default)]

@@ -5,11 +5,47 @@ use crate::algebra::CholeskyError;
 use crate::frames::{Shell, Stiffness, hinge_energies};
 use crate::mesh::{EdgeId, FaceId, Mesh};
 use crate::metric::Metric;
-use crate::scene::FieldName;
 use crate::spin::{Homology, SpinStructure};
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 use std::sync::{Arc, OnceLock};
+
+/// Quantities of a frame that can be shown as colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FieldName {
+    /// Relative error of the lengths around a face, root mean square.
+    LengthError,
+    /// Gaussian curvature of the metric asked for: angle defect over area, per vertex.
+    GaussianCurvature,
+    /// Mean curvature of the surface, per vertex.
+    MeanCurvature,
+    /// Logarithm of the scale of the metric against that of the first frame, per vertex.
+    ConformalFactor,
+    /// Energy per area of the frame field (Eq. 21), per face.
+    EnergyDensity,
+    /// Angle between a face and its neighbours, root mean square, in degrees.
+    BendingAngle,
+    /// Strips of the generators, numbered from 1, per face.
+    Generators,
+}
+
+impl FieldName {
+    /// All of them by the names.
+    pub const ALL: [(&'static str, FieldName); 7] = [
+        ("length_error", FieldName::LengthError),
+        ("gaussian_curvature", FieldName::GaussianCurvature),
+        ("mean_curvature", FieldName::MeanCurvature),
+        ("conformal_factor", FieldName::ConformalFactor),
+        ("energy_density", FieldName::EnergyDensity),
+        ("bending_angle", FieldName::BendingAngle),
+        ("generators", FieldName::Generators),
+    ];
+
+    /// Its name, as in `length_error`.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, field)| *field == self).map_or("", |(name, _)| name)
+    }
+}
 
 /// Values of a quantity and where they are.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::immersion::FieldValues;
 use crate::mesh::Mesh;
 use crate::mesh::shapes::Shape;
-use crate::render::{Field, FieldValues};
+use crate::render::Field;
 use crate::scene::{MeshSection, PatternAlong};
 use crate::timeline::{Formula, Parameters, TimelineError};
 

@@ -41,8 +41,8 @@ pub enum MovieError {
 }
 
 impl From<SceneError> for MovieError {
-    fn from(mistake: SceneError) -> MovieError {
-        MovieError::Scene(SceneErrors::Mistakes(vec![mistake]))
+    fn from(error: SceneError) -> Self {
+        MovieError::Scene(SceneErrors::Mistakes(vec![error]))
     }
 }
 

@@ -1,9 +1,10 @@
 //! Texts with facts of a frame filled in.
 
+use super::MovieError;
 use crate::{
     cache::FrameReport,
-    render::{RenderError, fill_in},
-    scene::{Corner, LookName, Scene, TextSection},
+    render::{Corner, LookName, fill_in},
+    scene::{Scene, TextSection},
 };
 
 /// The texts of a scene; pictures of a field say which frame they are of and what it is worth, unless it says else.
@@ -18,8 +19,8 @@ pub(super) fn texts(scene: &Scene) -> Vec<TextSection> {
 /// The texts of a scene as they stand on a frame of a surface with so many faces.
 ///
 /// # Errors
-/// [`RenderError::Label`] if one asks for what is not known.
-pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Result<Vec<String>, RenderError> {
+/// [`MovieError::Scene`] if one asks for what is not known.
+pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Result<Vec<String>, MovieError> {
     let facts = [
         ("scene", scene.name.clone()),
         ("frame", report.frame.to_string()),
@@ -31,7 +32,11 @@ pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Resul
         ("rims", report.rims.to_string()),
         ("faces", faces.to_string()),
     ];
-    texts(scene).iter().map(|section| fill_in(&section.text, &facts)).collect()
+    let fill = |(index, section): (usize, &TextSection)| {
+        fill_in(&section.text, &facts)
+            .map_err(|error| scene.complain_about(&format!("look.text[{index}].text"), &error))
+    };
+    Ok(texts(scene).iter().enumerate().map(fill).collect::<Result<_, _>>()?)
 }
 
 /// As many digits as say something.

@@ -14,8 +14,8 @@ use super::{
     subject::Subject,
 };
 use crate::{
-    render::{Extent, Film, Metadata, Output, Png},
-    scene::{AnimationFormat, Framed, LookName, LookSection, Scene},
+    render::{Extent, LookName, Metadata, Output, Picture, Png},
+    scene::{AnimationFormat, Framed, LookSection, Scene},
 };
 
 /// What happens while pictures are made.
@@ -112,7 +112,7 @@ pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch)
 /// As [`make_pictures`].
 pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), MovieError> {
     let last = [scene.clock.frames];
-    let mut whole: Option<(Film, Sheet)> = None;
+    let mut whole: Option<(Picture, Sheet)> = None;
     for (index, (_, preset)) in LookName::ALL.into_iter().enumerate() {
         let scene = Scene { look: LookSection { preset, ..LookSection::default() }, ..scene.clone() };
         let plan = Plan::of(&scene)?;
@@ -121,7 +121,7 @@ pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Wa
         let (film, sheet) = whole.get_or_insert_with(|| {
             let sheet = Sheet::of(LookName::ALL.len(), plan.size(), SHEET_WIDTH);
             let [width, height] = sheet.size();
-            (Film::blank(width, height, plan.look.background[0]), sheet)
+            (Picture::blank(width, height, plan.look.background[0]), sheet)
         });
         let picture = contact_sheet(&plan, &mut survey, &last, Sheet::of(1, sheet.tile, 0), watch)?;
         film.paste(&picture, sheet.place(index));
@@ -176,7 +176,7 @@ fn film(
 
     watch(Event::Begin("render", frames.len()));
     let mut done = 0;
-    let finish = |picture: &Film, frame: &Frame| -> Result<Option<Vec<u8>>, MovieError> {
+    let finish = |picture: &Picture, frame: &Frame| -> Result<Option<Vec<u8>>, MovieError> {
         let name = folder.join(format!("{:06}", frame.number));
         if let Some(png) = plan.png {
             picture.write_png(&name.with_extension("png"), png, &frame.metadata)?;
@@ -213,7 +213,7 @@ fn shoot<T: Send>(
     Survey { reel, subject, extent, spreads }: &mut Survey,
     frames: &[usize],
     output: &Output,
-    finish: impl Fn(&Film, &Frame) -> Result<T, MovieError> + Sync,
+    finish: impl Fn(&Picture, &Frame) -> Result<T, MovieError> + Sync,
     mut take: impl FnMut(usize, usize, T) -> Result<(), MovieError> + Send,
 ) -> Result<(), MovieError> {
     let shots = Shots::new(plan, subject, extent, spreads, *output)?;
@@ -245,10 +245,10 @@ fn contact_sheet(
     frames: &[usize],
     sheet: Sheet,
     watch: &mut Watch,
-) -> Result<Film, MovieError> {
+) -> Result<Picture, MovieError> {
     watch(Event::Begin("sheet", frames.len()));
     let [width, height] = sheet.size();
-    let mut whole = Film::blank(width, height, plan.look.background[0]);
+    let mut whole = Picture::blank(width, height, plan.look.background[0]);
     let mut done = 0;
     let output = Output::new(sheet.tile[0], sheet.tile[1], plan.output.samples())?;
     shoot(
@@ -273,7 +273,7 @@ fn palette(plan: &Plan, survey: &mut Survey, frames: &[usize], watch: &mut Watch
     watch(Event::Begin("colours", chosen.len()));
     let [width, height] = scaled(plan.size(), PALETTE_SIDE);
     let output = Output::new(width, height, plan.output.samples())?;
-    let background = Film::blank(1, 1, plan.look.background[0]).srgb_bytes();
+    let background = Picture::blank(1, 1, plan.look.background[0]).srgb_bytes();
     let mut pixels = Vec::new();
     let mut done = 0;
     shoot(

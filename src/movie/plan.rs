@@ -1,12 +1,10 @@
 //! What a scene asks of its pictures.
 
-use glam::DVec3;
-
 use super::{MovieError, gif, labels::labels};
 use crate::{
     cache::FrameReport,
-    render::{Camera, Extent, Lights, Look, Output, Png},
-    scene::{AnimationFormat, Scene},
+    render::{Lights, Look, Output, Png, View},
+    scene::{AnimationFormat, Scene, build},
     timeline::{Clock, Formula},
 };
 
@@ -17,6 +15,7 @@ pub struct Plan<'a> {
     /// Without the cut, which depends on what the camera frames.
     pub(super) look: Look,
     pub(super) lights: Lights,
+    pub(super) view: View,
     pub(super) output: Output,
     pub(super) clock: Clock,
     /// How PNG stills are written, if any.
@@ -31,18 +30,17 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// [`MovieError::Scene`], [`MovieError::Render`], [`MovieError::WithoutMp4`]
     pub fn of(scene: &'a Scene) -> Result<Plan<'a>, MovieError> {
-        let output = Output::from_scene(&scene.output)?;
-        // Any surface shows whether the section of the camera is in order.
-        let surface = Extent::of(&[DVec3::NEG_X, DVec3::X, 0.8 * DVec3::NEG_Y, 0.8 * DVec3::Y, 0.5 * DVec3::Z]);
-        Camera::framing(&scene.camera, &surface, &output)?;
+        let output = build::output(scene)?;
+        let view = build::view(scene)?;
         if cfg!(not(feature = "mp4")) && scene.output.animation.contains(&AnimationFormat::Mp4) {
             return Err(MovieError::WithoutMp4);
         }
         labels(scene, &FrameReport::default(), 0)?;
         Ok(Plan {
             scene,
-            look: Look::from_scene(&scene.look, &scene.folder)?,
-            lights: Lights::from_scene(&scene.lights)?,
+            look: build::look(scene)?,
+            lights: build::lights(scene)?,
+            view,
             output,
             clock: scene.times(&scene.clock)?,
             png: scene.output.png.then_some(Png { sixteen_bits: scene.output.depth == 16, small: false }),

@@ -6,11 +6,11 @@ use super::{MovieError, Plan, coordinates::Chart};
 use crate::{
     cache::Cache,
     evolve::Frame,
-    immersion::{FieldInput, FieldValues, Fields},
+    immersion::{FieldInput, FieldName, FieldValues, Fields},
     mesh::Mesh,
     metric::Metric,
-    render::{ColorMap, Field, FieldSpread, Legend, Look, Paint},
-    scene::{FieldName, LookName, PatternAlong},
+    render::{ColorMap, Field, FieldSpread, Legend, Look, LookName, Paint},
+    scene::PatternAlong,
     spin::SpinStructure,
 };
 
@@ -124,7 +124,7 @@ impl Measures {
         let mut legend = None;
         if let Some(name) = self.color {
             let section = plan.scene.look.color.as_ref();
-            let map = section.and_then(|section| section.map).map_or_else(|| ColorMap::suiting(name), ColorMap);
+            let map = section.and_then(|section| section.map).unwrap_or_else(|| ColorMap::suiting(name));
             let given = section.and_then(|section| section.range).map(|range| range.map(|value| value as f32));
             let range = given.unwrap_or_else(|| spreads.color.range(name));
             look.paint = Paint::Map { map, range };

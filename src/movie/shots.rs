@@ -11,7 +11,7 @@ use super::{
 use crate::{
     evolve::Frame,
     render::{
-        Camera, CameraMotion, Exposure, Extent, Film, Legend, Look, Metadata, Output, Overlay, Plane, RenderError,
+        Camera, CameraMotion, Exposure, Extent, Legend, Look, Metadata, Output, Overlay, Picture, Plane, RenderError,
         render,
     },
 };
@@ -42,7 +42,7 @@ impl<'a> Shots<'a> {
         let clock = &plan.scene.clock;
         let (look, legend) = subject.look(plan, spreads);
         let output = if legend.is_some() { output.reserving(LEGEND_SHARE) } else { output };
-        let camera = CameraMotion::framing(&plan.scene.camera, extent, &output, [clock.start, clock.end])?;
+        let camera = CameraMotion::framing(&plan.view, extent, &output, [clock.start, clock.end])?;
         let (middle, radius) = camera.at(0.0, clock.start).subject();
         let cut = plan.scene.look.cut.map(|cut| {
             let normal = DVec3::from_array(cut.normal).normalize();
@@ -56,7 +56,7 @@ impl<'a> Shots<'a> {
 
     /// A picture of a frame. While the shutter is open, vertices go straight toward the frame after it, and the camera
     /// goes on its way; layers are those of the moment when it opens. Without a next frame nothing moves.
-    pub fn take(&self, state: &Frame, next: Option<&Frame>) -> Result<Film, MovieError> {
+    pub fn take(&self, state: &Frame, next: Option<&Frame>) -> Result<Picture, MovieError> {
         let camera_section = &self.plan.scene.camera;
         let here = self.camera_at(state.report.frame, 0.0);
         let mut moment = self.subject.moment(self.plan, state, next)?;
@@ -85,7 +85,7 @@ impl<'a> Shots<'a> {
         Ok(film)
     }
 
-    fn overlay(&self, state: &Frame) -> Result<Overlay, RenderError> {
+    fn overlay(&self, state: &Frame) -> Result<Overlay, MovieError> {
         let scene = self.plan.scene;
         let corners = texts(scene).into_iter().map(|section| section.corner);
         Ok(Overlay {

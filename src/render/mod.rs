@@ -1,70 +1,52 @@
 //! A software renderer: a triangulated surface and the curves on it become a picture.
 //!
-//! The passage of a frame: the surface is moved before the eye ([`Scenery`], [`Camera`]), it is found
-//! out how much light each part of it sees, triangles and lines are drawn into tiles of samples that
-//! remember who is seen and how far, each primitive is shaded once per pixel, and the samples are
-//! filtered into a [`Film`].
+//! A pixel passes through the folders of this room in this order.
+//!
+//! 1. `camera` finds out from where the eye sees the whole surface: the [`Extent`] of a film is measured, and a
+//!    [`CameraMotion`] keeps it in the picture.
+//! 2. `look` holds what the surface is to look like: its colours, material, pattern, lines and [`Lights`].
+//! 3. `stage` moves the surface in front of the eye, works out its normals, and projects its triangles onto the grid of
+//!    pixels.
+//! 4. `raster` sorts the triangles into tiles and finds out which of them each sample of a pixel sees, and how far away.
+//! 5. `lines` turns outlines, creases, self-intersections and other curves into thin tubes, which are drawn into the
+//!    same samples.
+//! 6. `shade` finds out how much light arrives at each place, and gives every triangle and tube that a pixel sees its
+//!    colour there. What one can see through is laid over what lies behind it, and a filter makes one pixel of its
+//!    samples.
+//! 7. `text` writes labels and a legend over the finished [`Picture`].
+//! 8. `write` puts it into a PNG or OpenEXR file.
+//!
+//! [`render()`] does steps 3 to 6: `passage.rs` makes a picture tile by tile, and `tile.rs` makes one tile.
 
-mod bins;
 mod camera;
-mod camera_motion;
-mod canvas;
-mod color;
-mod color_map;
 mod error;
-mod extent;
-mod field;
-mod film;
-mod filter;
-mod fragments;
-mod frame;
-mod framing;
-mod gaps;
-mod ground;
-mod intersect;
-mod lanes;
+mod exposure;
 mod layers;
-mod legend;
-mod light;
 mod lines;
 mod look;
-mod material;
-mod metadata;
-mod moments;
-mod openexr;
 mod output;
-mod overlay;
-mod pattern;
-mod png;
-mod presets;
-mod project;
+mod passage;
+mod picture;
 mod raster;
-mod samples;
 mod scenery;
 mod shade;
 mod stage;
 mod text;
-mod ticks;
 mod tile;
-mod trace;
-mod tube;
-mod visibility;
+mod write;
 
-pub use camera::Camera;
-pub use camera_motion::CameraMotion;
-pub use color_map::ColorMap;
-pub use error::RenderError;
-pub use extent::Extent;
-pub use field::{Field, FieldSpread, FieldValues};
-pub(crate) use film::temporary_beside;
-pub use film::{Exposure, Film, Layers};
-pub use frame::render;
-pub use legend::Legend;
-pub use light::{Light, Lights};
-pub use look::{Lines, Look, Matcap, Material, Paint, Pattern, Plane};
-pub use metadata::Metadata;
+pub use camera::{Camera, CameraMotion, Extent, View, ViewKey};
+pub use error::{LabelFault, LookElement, RenderError, ViewElement};
+pub use exposure::Exposure;
+pub use layers::Layers;
+pub use look::{
+    ColorMap, Field, FieldSpread, Light, Lights, Lines, Look, LookName, Matcap, Material, Paint, Pattern, PatternKind,
+    Plane, linear_from_srgb,
+};
 pub use output::Output;
-pub use overlay::Overlay;
-pub use png::Png;
+pub use passage::render;
+pub use picture::Picture;
 pub use scenery::Scenery;
-pub use text::{Anchor, TextStyle, fill_in, text_width};
+pub use text::{Anchor, Corner, Legend, Overlay, TextStyle, fill_in, text_width};
+pub(crate) use write::temporary_beside;
+pub use write::{Metadata, Png};

@@ -1,5 +1,6 @@
+//! How large a picture is and how finely it is sampled.
+
 use super::RenderError;
-use crate::scene::OutputSection;
 
 /// Size and sampling of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,6 +17,9 @@ impl Output {
     /// Longest side of a picture in pixels.
     pub const LONGEST_SIDE: usize = 16_384;
 
+    /// How many samples a pixel can have.
+    pub const SAMPLES: [usize; 4] = [1, 4, 8, 16];
+
     /// A picture of `width` times `height` pixels with 1, 4, 8 or 16 samples in each.
     ///
     /// # Errors
@@ -25,42 +29,39 @@ impl Output {
         if !possible.contains(&width) || !possible.contains(&height) {
             return Err(RenderError::Size { width, height, limit: Self::LONGEST_SIDE });
         }
-        if ![1, 4, 8, 16].contains(&samples) {
-            return Err(RenderError::Samples(samples));
+        if !Self::SAMPLES.contains(&samples) {
+            return Err(RenderError::Samples { samples });
         }
         Ok(Self { width, height, samples, layers: false, reserved: 0.0, window: [0, 0, width, height] })
     }
 
-    /// The picture a scene asks for.
-    ///
-    /// # Errors
-    /// As [`Output::new`] and [`Output::with_crop`].
-    pub fn from_scene(section: &OutputSection) -> Result<Self, RenderError> {
-        let whole = Self::new(section.size[0], section.size[1], section.samples)?.with_layers(section.exr);
-        section.crop.map_or(Ok(whole), |window| whole.with_crop(window))
-    }
-
-    /// The same, of which only a part is made: x and y of its upper left corner, its width and height, in pixels.
+    /// The same picture, of which only a window is made. The window is given by x and y of its upper left corner, its width
+    /// and its height, all in pixels.
     ///
     /// # Errors
     /// [`RenderError::Crop`] if it is empty or does not lie in the picture.
     pub fn with_crop(self, window: [usize; 4]) -> Result<Self, RenderError> {
-        let [x, y, width, height] = window;
-        let fits = |start: usize, length: usize, whole: usize| {
-            length > 0 && start.checked_add(length).is_some_and(|end| end <= whole)
-        };
-        if fits(x, width, self.width) && fits(y, height, self.height) {
+        if Self::holds([self.width, self.height], window) {
             return Ok(Self { window, ..self });
         }
         Err(RenderError::Crop { window, width: self.width, height: self.height })
     }
 
-    /// The part of the picture that is made: x, y, width and height; usually all of it.
+    /// Whether a window has pixels and lies in a picture of this width and height. It is given by x and y of its upper left
+    /// corner, its width and its height.
+    pub fn holds(size: [usize; 2], [x, y, width, height]: [usize; 4]) -> bool {
+        let fits = |start: usize, length: usize, whole: usize| {
+            length > 0 && start.checked_add(length).is_some_and(|end| end <= whole)
+        };
+        fits(x, width, size[0]) && fits(y, height, size[1])
+    }
+
+    /// The window of the picture that is made, as x, y, width and height. Usually it is the whole picture.
     pub fn window(&self) -> [usize; 4] {
         self.window
     }
 
-    /// The same with or without the layers of the film.
+    /// The same with or without layers.
     pub fn with_layers(self, layers: bool) -> Self {
         Self { layers, ..self }
     }
@@ -75,7 +76,7 @@ impl Output {
         self.reserved
     }
 
-    /// Whether the film has [`Layers`](super::Layers).
+    /// Whether the picture has [`Layers`](super::Layers).
     pub fn has_layers(&self) -> bool {
         self.layers
     }

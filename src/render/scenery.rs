@@ -1,6 +1,12 @@
+//! What is to be seen.
+
 use glam::DVec3;
 
 use super::{Field, Plane, RenderError};
+use crate::immersion::FieldValues;
+
+/// How many triangles, and how many lines, one picture takes. The samples of a tile have ids for that many of each.
+pub(super) const MOST_PRIMITIVES: usize = 0x7FFF_FFFE;
 
 /// What is to be seen: a triangulated surface, curves and fields on it, as plain borrowed data.
 #[derive(Clone, Copy, Debug, Default)]
@@ -27,7 +33,7 @@ pub struct Scenery<'a> {
     pub color: Option<&'a Field>,
     /// What the pattern of the look runs along, and across for patterns of two directions.
     pub along: [Option<&'a Field>; 2],
-    /// Recorded as layers of the film.
+    /// Recorded as layers of the picture.
     pub fields: &'a [Field],
 }
 
@@ -35,6 +41,10 @@ impl Scenery<'_> {
     /// That every index has a position, and every list its length.
     pub(super) fn validate(&self) -> Result<(), RenderError> {
         let vertices = self.positions.len();
+        // Before anything counts them in 32 bits.
+        if self.triangles.len() > MOST_PRIMITIVES {
+            return Err(RenderError::TooManyPrimitives { count: self.triangles.len(), limit: MOST_PRIMITIVES });
+        }
         let check = |list: &'static str, item: usize, corners: &[u32]| match corners
             .iter()
             .find(|&&vertex| vertex as usize >= vertices)
@@ -59,8 +69,8 @@ impl Scenery<'_> {
         let fields = self.fields.iter().chain(self.color).chain(self.along.iter().copied().flatten());
         for field in fields {
             let wanted = match &field.values {
-                super::FieldValues::PerFace(_) => self.triangles.len(),
-                super::FieldValues::PerVertex(_) => vertices,
+                FieldValues::PerFace(_) => self.triangles.len(),
+                FieldValues::PerVertex(_) => vertices,
             };
             if field.len() != wanted {
                 return Err(RenderError::Length { list: field.name.clone(), found: field.len(), wanted });

@@ -4,6 +4,10 @@ use super::data::*;
 use super::picture_sections::not_zero;
 use super::table::Table;
 use super::value::Color;
+use crate::{
+    immersion::FieldName,
+    render::{ColorMap, Corner, LookName, PatternKind},
+};
 
 pub(super) fn look(table: &mut Table) -> LookSection {
     let materials = [
@@ -108,12 +112,12 @@ fn pattern(table: &mut Table) -> PatternSection {
 
 fn shown_field(table: &mut Table) -> ColorSection {
     let maps = [
-        ("viridis", ColorMapName::Viridis),
-        ("inferno", ColorMapName::Inferno),
-        ("cividis", ColorMapName::Cividis),
-        ("diverging", ColorMapName::Diverging),
-        ("cyclic", ColorMapName::Cyclic),
-        ("categorical", ColorMapName::Categorical),
+        ("viridis", ColorMap::Viridis),
+        ("inferno", ColorMap::Inferno),
+        ("cividis", ColorMap::Cividis),
+        ("diverging", ColorMap::Diverging),
+        ("cyclic", ColorMap::Cyclic),
+        ("categorical", ColorMap::Categorical),
     ];
     let range: Option<[f64; 2]> =
         table.key("range", "Values at the ends of the map; left out, those of the whole film.").optional([0.0, 0.01]);

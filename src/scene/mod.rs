@@ -10,7 +10,7 @@
 //! assert!(mistakes.to_string().contains("did you mean `sphere`?"));
 //! ```
 
-mod build;
+pub mod build;
 mod complaints;
 mod data;
 mod error;

@@ -3,8 +3,10 @@
 use super::data::*;
 use super::number::ease;
 use super::table::Table;
-
-const MAX_PIXELS: f64 = 16_384.0;
+use crate::{
+    immersion::FieldName,
+    render::{Output, Png, View},
+};
 
 pub(super) fn camera(table: &mut Table) -> CameraSection {
     let camera = CameraSection {
@@ -15,9 +17,9 @@ pub(super) fn camera(table: &mut Table) -> CameraSection {
         field_of_view: table
             .key("field_of_view", "Vertical, in degrees; 0 is orthographic.")
             .at_least(0.0)
-            .at_most(150.0)
+            .at_most(View::WIDEST_DEGREES)
             .optional(30.0),
-        fill: table.key("fill", "Share of the picture the surface fills.").at_least(0.05).at_most(1.0).optional(0.8),
+        fill: table.key("fill", "Share of the picture the surface fills.").at_least(View::FILLS[0]).at_most(View::FILLS[1]).optional(0.8),
         target: table
             .key("target", "What is in the middle of the picture; left out, the middle of the surface.")
             .optional([0.0, 0.0, 0.0]),
@@ -84,22 +86,24 @@ pub(super) fn light(table: &mut Table) -> LightSection {
 
 pub(super) fn output(table: &mut Table) -> OutputSection {
     let default = OutputSection::default();
-    let size = table.key("size", "Width and height in pixels.").at_least(1.0).at_most(MAX_PIXELS).or(default.size);
+    let size = table
+        .key("size", "Width and height in pixels.")
+        .at_least(1.0)
+        .at_most(Output::LONGEST_SIDE as f64)
+        .or(default.size);
     let samples = table.key("samples", "Samples per pixel: 1, 4, 8 or 16.").or(default.samples);
-    if ![1, 4, 8, 16].contains(&samples) {
+    if !Output::SAMPLES.contains(&samples) {
         table.complain("samples", format!("`samples` is {samples}, it must be 1, 4, 8 or 16"), "write samples = 8");
     }
     let formats = table.choices("format", "Picture formats.", &[("png", false), ("exr", true)], &[false]);
     let depth = table.key("depth", "Bits per channel of PNG pictures: 8 or 16.").or(default.depth);
-    if ![8, 16].contains(&depth) {
+    if !Png::DEPTHS.contains(&depth) {
         table.complain("depth", format!("`depth` is {depth}, it must be 8 or 16"), "write depth = 8");
     }
     let crop: Option<[usize; 4]> = table
         .key("crop", "The part of the picture that is made: x, y, width, height in pixels from the upper left.")
         .optional([0, 0, 640, 480]);
-    if let Some([x, y, width, height]) = crop
-        && (width == 0 || height == 0 || x.saturating_add(width) > size[0] || y.saturating_add(height) > size[1])
-    {
+    if crop.is_some_and(|window| !Output::holds(size, window)) {
         let reason = format!("`crop` does not lie in the picture of {} x {} pixels", size[0], size[1]);
         table.complain("crop", reason, "write x, y, width and height of a part of it");
     }

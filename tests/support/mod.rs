@@ -4,8 +4,8 @@
 use glam::{DQuat, DVec3};
 use immerse::mesh::{FaceId, HalfedgeId, Mesh, Surface};
 use immerse::metric::Metric;
-use immerse::render::{Camera, Extent};
-use immerse::scene::{CameraSection, Scene};
+use immerse::render::{Camera, Extent, View};
+use immerse::scene::Scene;
 use immerse::spin::Strip;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -206,14 +206,14 @@ pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 }
 
 /// Straight down the z axis, without perspective, of what fills this share of the picture.
-pub fn from_above(fill: f64) -> CameraSection {
-    CameraSection {
-        direction: Some([0.0, 0.0, 1.0]),
-        up: Some([0.0, 1.0, 0.0]),
-        field_of_view: Some(0.0),
-        fill: Some(fill),
-        ..CameraSection::default()
-    }
+pub fn from_above(fill: f64) -> View {
+    let view = seen_from(DVec3::Z, DVec3::Y).with_field_of_view(0.0);
+    view.and_then(|view| view.with_fill(fill)).expect("a view")
+}
+
+/// From a direction, with another one upward in the picture.
+pub fn seen_from(direction: DVec3, up: DVec3) -> View {
+    View::default().with_direction(direction).and_then(|view| view.with_up(up)).expect("a view")
 }
 
 /// One unit per pixel, x to the right and y up, the origin in the lower left corner of the picture, higher z nearer.

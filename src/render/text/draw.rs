@@ -2,8 +2,8 @@
 
 use glam::{Vec2, Vec3};
 
-use super::super::{Film, canvas::Canvas};
-use super::layout::Line;
+use super::{canvas::Canvas, layout::Line};
+use crate::render::Picture;
 
 /// How a text looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub enum Anchor {
     Right,
 }
 
-impl Film {
+impl Picture {
     /// Writes a line over the picture, its baseline at `at`: pixels from the upper left corner, y down. What lies
     /// outside the picture is left out.
     pub fn draw_text(&mut self, text: &str, at: Vec2, style: &TextStyle) {
@@ -45,7 +45,7 @@ const THICKENING: f32 = 0.8;
 pub const MIDDLE_GREY: f32 = 0.18;
 
 impl Canvas<'_> {
-    pub(in super::super) fn draw_text(&mut self, text: &str, at: Vec2, style: &TextStyle) {
+    pub(in crate::render) fn draw_text(&mut self, text: &str, at: Vec2, style: &TextStyle) {
         if !SIZES.contains(&style.size) || !at.is_finite() {
             return;
         }

@@ -7,6 +7,9 @@ use ab_glyph::{Font, FontRef, Glyph, GlyphId, OutlinedGlyph, PxScale, point};
 static FONT: LazyLock<Option<FontRef<'static>>> =
     LazyLock::new(|| FontRef::try_from_slice(include_bytes!("Inter-labels.ttf")).ok());
 
+/// Height of capitals and digits in units of the size of a text.
+pub const CAPITAL_HEIGHT: f32 = 0.7275;
+
 /// A line of text from the origin of its baseline.
 pub struct Line {
     glyphs: Vec<Glyph>,

@@ -1,16 +1,14 @@
 //! Labels with places for values.
 
-use super::super::RenderError;
+use crate::render::{LabelFault, RenderError};
 
 /// Puts values in the places of a template: `{name}` is replaced by the value of that name. `{{` and `}}` are braces.
 ///
 /// # Errors
 /// [`RenderError::Label`] if a name has no value or a brace has no partner.
 pub fn fill_in(template: &str, values: &[(&str, String)]) -> Result<String, RenderError> {
-    let label = |reason: String, remedy: String| RenderError::Label { text: template.to_owned(), reason, remedy };
-    let alone = |brace: char| {
-        label(format!("has a `{brace}` without its partner"), format!("write `{brace}{brace}` for a brace"))
-    };
+    let label = |fault: LabelFault| RenderError::Label { text: template.to_owned(), fault };
+    let alone = |brace: char| label(LabelFault::LoneBrace(brace));
     let mut filled = String::with_capacity(template.len());
     let mut rest = template;
     while let Some(at) = rest.find(['{', '}']) {
@@ -24,8 +22,8 @@ pub fn fill_in(template: &str, values: &[(&str, String)]) -> Result<String, Rend
         let Some(inside) = brace.strip_prefix('{') else { return Err(alone('}')) };
         let (name, after) = inside.split_once('}').ok_or_else(|| alone('{'))?;
         let Some((_, value)) = values.iter().find(|(known, _)| *known == name) else {
-            let known: Vec<String> = values.iter().map(|(known, _)| format!("{{{known}}}")).collect();
-            return Err(label(format!("asks for `{{{name}}}`"), format!("there are {}", known.join(", "))));
+            let known = values.iter().map(|(known, _)| (*known).to_owned()).collect();
+            return Err(label(LabelFault::UnknownName { name: name.to_owned(), known }));
         };
         filled.push_str(value);
         rest = after;

@@ -2,7 +2,10 @@
 
 use std::path::PathBuf;
 
-use super::FieldName;
+use crate::{
+    immersion::FieldName,
+    render::{ColorMap, Corner, LookName, PatternKind},
+};
 
 /// `[look]`: a preset and what differs from it.
 #[derive(Clone, Debug, PartialEq, Default)]
@@ -61,36 +64,6 @@ pub struct LookSection {
     pub text_size: Option<f64>,
 }
 
-/// Named looks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum LookName {
-    /// Two-coloured, three lights, on warm white.
-    #[default]
-    Studio,
-    /// One matte colour, ambient light and a shadow on the ground.
-    Clay,
-    /// Thin, see-through, opaque where it is seen edge-on.
-    Soap,
-    /// Stripes with see-through gaps.
-    Bands,
-    /// White, lines only.
-    Blueprint,
-    /// Length error as colour, with a legend.
-    Error,
-}
-
-impl LookName {
-    /// All of them by the names they have in scene files.
-    pub const ALL: [(&'static str, LookName); 6] = [
-        ("studio", LookName::Studio),
-        ("clay", LookName::Clay),
-        ("soap", LookName::Soap),
-        ("bands", LookName::Bands),
-        ("blueprint", LookName::Blueprint),
-        ("error", LookName::Error),
-    ];
-}
-
 /// How the surface answers light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MaterialName {
@@ -122,19 +95,6 @@ pub struct PatternSection {
     pub gap: f64,
 }
 
-/// Kinds of patterns.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum PatternKind {
-    /// Stripes with see-through gaps between them.
-    Bands,
-    /// Fields of two shades, along and across.
-    Checker,
-    /// Lines along and across (a graticule).
-    Grid,
-    /// Lines of equal value.
-    Isolines,
-}
-
 /// What a pattern runs along.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PatternAlong {
@@ -154,28 +114,11 @@ pub struct ColorSection {
     /// Which quantity.
     pub field: FieldName,
     /// The map; left out, one that suits the field.
-    pub map: Option<ColorMapName>,
+    pub map: Option<ColorMap>,
     /// Values at the ends of the map; left out, those of the whole film.
     pub range: Option<[f64; 2]>,
     /// Whether a legend is drawn.
     pub legend: bool,
-}
-
-/// Perceptual colour maps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ColorMapName {
-    /// From dark blue over green to yellow.
-    Viridis,
-    /// From black over red to pale yellow.
-    Inferno,
-    /// From dark blue over grey to yellow, for the colour-blind.
-    Cividis,
-    /// From blue over white to red, for values with a sign.
-    Diverging,
-    /// Once around the hues, for angles.
-    Cyclic,
-    /// Distinct colours, for numbers that name things.
-    Categorical,
 }
 
 /// `[look.cut]`
@@ -217,18 +160,4 @@ pub struct TextSection {
     pub text: String,
     /// Where it stands.
     pub corner: Corner,
-}
-
-/// Corners of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Corner {
-    /// Upper left.
-    TopLeft,
-    /// Upper right.
-    TopRight,
-    /// Lower left.
-    #[default]
-    BottomLeft,
-    /// Lower right.
-    BottomRight,
 }

@@ -4,11 +4,11 @@ use std::f64::consts::{PI, TAU};
 
 use crate::support::Random;
 use glam::{DVec2, DVec3};
+use immerse::immersion::{FieldName, FieldValues};
 use immerse::immersion::{gaussian_curvatures, mean_curvatures, pinch_points};
 use immerse::mesh::{Mesh, VertexId, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::render::{FieldSpread, FieldValues};
-use immerse::scene::FieldName;
+use immerse::render::FieldSpread;
 
 /// A disk of rings, mapped by its polar coordinates; vertices are moved about in it by a share of their distance, those
 /// of the boundary along it.

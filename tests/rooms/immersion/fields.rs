@@ -8,10 +8,10 @@ use immerse::frames::{Shell, energy};
 use immerse::immersion::{
     ConformalFactor, FieldInput, Fields, gaussian_curvatures, mean_curvatures, rimless_frames, spin_of_immersion,
 };
+use immerse::immersion::{FieldName, FieldValues};
 use immerse::mesh::{Mesh, Surface};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::render::{Field, FieldSpread, FieldValues};
-use immerse::scene::FieldName;
+use immerse::render::{Field, FieldSpread};
 use immerse::spin::SpinStructure;
 
 const STIFFNESS: [f64; 4] = [1.0, 1e-4, 1.0, 0.1];

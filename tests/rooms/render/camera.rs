@@ -2,10 +2,12 @@
 
 use std::f64::consts::TAU;
 
+use crate::support::seen_from;
 use glam::DVec3;
 use immerse::{
-    render::{Camera, CameraMotion, Extent, Output, RenderError},
-    scene::{CameraKeySection, CameraSection},
+    advice::Advice,
+    render::{Camera, CameraMotion, Extent, Output, RenderError, View, ViewElement, ViewKey},
+    timeline::Ease,
 };
 
 /// Points on an ellipsoid with its middle elsewhere.
@@ -20,8 +22,16 @@ fn ellipsoid(radii: DVec3, middle: DVec3) -> Vec<DVec3> {
         .collect()
 }
 
-fn usual() -> CameraSection {
-    CameraSection::default()
+fn usual() -> View {
+    View::default()
+}
+
+/// The usual view, or one with this field of view in degrees.
+fn with_field_of_view(view: View, degrees: Option<f64>) -> View {
+    match degrees {
+        Some(degrees) => view.with_field_of_view(degrees.to_radians()).expect("a field of view"),
+        None => view,
+    }
 }
 
 /// Largest distance from the middle of the picture, 1 at its border.
@@ -41,8 +51,8 @@ fn the_surface_fills_the_wanted_share_of_the_picture() {
         for field_of_view in [None, Some(0.0), Some(5.0), Some(90.0)] {
             let output = Output::new(size[0], size[1], 1).expect("a size");
             let points = ellipsoid(radii, DVec3::new(100.0, -20.0, 3.0));
-            let section = CameraSection { field_of_view, fill: Some(0.8), ..CameraSection::default() };
-            let camera = Camera::framing(&section, &Extent::of(&points), &output).expect("a view");
+            let view = with_field_of_view(usual(), field_of_view).with_fill(0.8).expect("a share");
+            let camera = Camera::framing(&view, &Extent::of(&points), &output).expect("a view");
             let reach = reach(&camera, &points);
             assert!((0.76..0.82).contains(&reach), "{size:?}, {field_of_view:?}: {reach}");
         }
@@ -57,7 +67,7 @@ fn one_camera_holds_all_frames_of_a_film() {
         .collect();
     let mut extent = Extent::default();
     frames.iter().for_each(|frame| extent.merge(&Extent::of(frame)));
-    let camera = Camera::framing(&CameraSection::default(), &extent, &output).expect("a view");
+    let camera = Camera::framing(&View::default(), &extent, &output).expect("a view");
     let reaches: Vec<f64> = frames.iter().map(|frame| reach(&camera, frame)).collect();
     assert!(reaches.iter().all(|&reach| reach < 0.87), "{reaches:?}");
     assert!(reaches.iter().any(|&reach| reach > 0.8), "{reaches:?}");
@@ -72,7 +82,7 @@ fn the_broad_side_is_seen() {
         (DVec3::new(2.0, 0.5, 2.5), DVec3::Y),
     ] {
         let extent = Extent::of(&ellipsoid(radii, DVec3::ZERO));
-        let camera = Camera::framing(&CameraSection::default(), &extent, &output).expect("a view");
+        let camera = Camera::framing(&View::default(), &extent, &output).expect("a view");
         let toward_eye = camera.view_from_world().matrix3.transpose() * DVec3::Z;
         assert!(toward_eye.dot(broad).abs() > 0.6, "{radii}: seen from {toward_eye}");
     }
@@ -86,7 +96,7 @@ fn a_bowl_is_seen_from_its_open_side_whichever_way_it_lies() {
             .into_iter()
             .filter(|point| point.dot(opening) < 0.2)
             .collect();
-        let camera = Camera::framing(&CameraSection::default(), &Extent::of(&bowl), &output).expect("a view");
+        let camera = Camera::framing(&View::default(), &Extent::of(&bowl), &output).expect("a view");
         let toward_eye = camera.view_from_world().matrix3.transpose() * DVec3::Z;
         assert!(toward_eye.dot(opening) > 0.5, "opening to {opening}, seen from {toward_eye}");
     }
@@ -95,10 +105,9 @@ fn a_bowl_is_seen_from_its_open_side_whichever_way_it_lies() {
 #[test]
 fn given_directions_are_kept() {
     let output = Output::new(640, 480, 1).expect("a size");
-    let section =
-        CameraSection { direction: Some([1.0, 2.0, -2.0]), up: Some([0.0, 0.0, 1.0]), ..CameraSection::default() };
+    let view = seen_from(DVec3::new(1.0, 2.0, -2.0), DVec3::Z);
     let extent = Extent::of(&ellipsoid(DVec3::ONE, DVec3::ZERO));
-    let camera = Camera::framing(&section, &extent, &output).expect("a view");
+    let camera = Camera::framing(&view, &extent, &output).expect("a view");
     let view = camera.view_from_world().matrix3;
     assert!((view * DVec3::new(1.0, 2.0, -2.0) / 3.0).distance(DVec3::Z) < 1e-12);
     let up = view * DVec3::Z;
@@ -107,23 +116,38 @@ fn given_directions_are_kept() {
 }
 
 #[test]
-fn impossible_views_are_refused_with_key_and_remedy() {
-    let output = Output::new(640, 480, 1).expect("a size");
-    let extent = Extent::of(&ellipsoid(DVec3::ONE, DVec3::ZERO));
+fn impossible_views_are_refused_with_element_and_remedy() {
+    let key = ViewKey { time: 0.0, orbit: 0.0, rise: 0.0, dolly: 1.0, target: None };
+    let with_key = |key| usual().with_keys(vec![key], Ease::Linear);
     let refused = [
-        (CameraSection { direction: Some([0.0; 3]), ..usual() }, "direction"),
-        (CameraSection { direction: Some([f64::NAN, 0.0, 1.0]), ..usual() }, "direction"),
-        (CameraSection { up: Some([0.0; 3]), ..usual() }, "up"),
-        (CameraSection { direction: Some([0.0, 0.0, 1.0]), up: Some([0.0, 0.0, -2.0]), ..usual() }, "up"),
-        (CameraSection { field_of_view: Some(180.0), ..usual() }, "field_of_view"),
-        (CameraSection { fill: Some(0.0), ..usual() }, "fill"),
+        (usual().with_direction(DVec3::ZERO), ViewElement::Direction),
+        (usual().with_direction(DVec3::new(f64::NAN, 0.0, 1.0)), ViewElement::Direction),
+        (usual().with_up(DVec3::ZERO), ViewElement::Up),
+        (usual().with_direction(DVec3::Z).and_then(|view| view.with_up(DVec3::NEG_Z)), ViewElement::Up),
+        (usual().with_up(DVec3::NEG_Z).and_then(|view| view.with_direction(DVec3::Z)), ViewElement::Up),
+        (usual().with_field_of_view(180_f64.to_radians()), ViewElement::FieldOfView),
+        (usual().with_field_of_view(f64::NAN), ViewElement::FieldOfView),
+        (usual().with_fill(0.0), ViewElement::Fill),
+        (usual().with_target(DVec3::INFINITY), ViewElement::Target),
+        (usual().with_turntable(f64::INFINITY), ViewElement::Turntable),
+        (with_key(ViewKey { dolly: 0.0, ..key }), ViewElement::Key(0)),
+        (with_key(ViewKey { time: f64::NAN, ..key }), ViewElement::Key(0)),
+        (with_key(ViewKey { target: Some(DVec3::NAN), ..key }), ViewElement::Key(0)),
     ];
-    for (section, wanted) in refused {
-        match Camera::framing(&section, &extent, &output) {
-            Err(RenderError::Camera { key, .. }) => assert_eq!(key, wanted),
-            other => panic!("{section:?}: {other:?}"),
+    for (view, wanted) in refused {
+        let error = view.expect_err("impossible");
+        assert!(!error.remedy().is_empty() && error.to_string().ends_with(&format!("; {}", error.remedy())), "{error}");
+        match error {
+            RenderError::NoDirection { element, .. }
+            | RenderError::ViewRange { element, .. }
+            | RenderError::ViewNotFinite { element } => assert_eq!(element, wanted),
+            RenderError::UpAlongView { .. } => assert_eq!(ViewElement::Up, wanted),
+            other => panic!("{other}"),
         }
     }
+    let order = usual().with_keys(vec![key, key], Ease::Linear);
+    assert!(matches!(order, Err(RenderError::ViewKeyOrder { earlier: 0.0, later: 0.0 })));
+    let output = Output::new(640, 480, 1).expect("a size");
     let nothing = Camera::framing(&usual(), &Extent::of(&[DVec3::NAN]), &output);
     assert!(matches!(nothing, Err(RenderError::NothingToFrame)));
 }
@@ -132,7 +156,7 @@ fn impossible_views_are_refused_with_key_and_remedy() {
 fn a_single_point_and_a_line_can_be_framed() {
     let output = Output::new(640, 480, 1).expect("a size");
     for points in [vec![DVec3::ONE], vec![DVec3::ZERO, DVec3::X], vec![DVec3::ONE; 5]] {
-        let camera = Camera::framing(&CameraSection::default(), &Extent::of(&points), &output).expect("a view");
+        let camera = Camera::framing(&View::default(), &Extent::of(&points), &output).expect("a view");
         assert!(reach(&camera, &points) <= 1.0);
     }
 }
@@ -147,17 +171,17 @@ fn bounds(camera: &Camera, points: &[DVec3]) -> [f64; 4] {
         .fold([f64::MAX, f64::MAX, f64::MIN, f64::MIN], |[a, b, c, d], [x, y]| [a.min(x), b.min(y), c.max(x), d.max(y)])
 }
 
-fn moving(section: &CameraSection, points: &[DVec3]) -> CameraMotion {
+fn moving(view: &View, points: &[DVec3]) -> CameraMotion {
     let output = Output::new(640, 480, 1).expect("a size");
-    CameraMotion::framing(section, &Extent::of(points), &output, [0.0, 1.0]).expect("a view")
+    CameraMotion::framing(view, &Extent::of(points), &output, [0.0, 1.0]).expect("a view")
 }
 
 #[test]
 fn a_sphere_on_a_turntable_does_not_pump() {
     let points = ellipsoid(DVec3::ONE, DVec3::new(3.0, -1.0, 2.0));
     for field_of_view in [None, Some(0.0)] {
-        let section = CameraSection { turntable: 360.0, up: Some([0.0, 0.0, 1.0]), field_of_view, ..usual() };
-        let motion = moving(&section, &points);
+        let view = with_field_of_view(usual(), field_of_view).with_up(DVec3::Z);
+        let motion = moving(&view.and_then(|view| view.with_turntable(TAU)).expect("a view"), &points);
         let sizes: Vec<[f64; 4]> = (0..60).map(|k| bounds(&motion.at(f64::from(k) / 60.0, 0.0), &points)).collect();
         for (size, first) in sizes.iter().zip(std::iter::repeat(sizes[0])) {
             assert!((0..4).all(|side| (size[side] - first[side]).abs() < 0.02), "{size:?} after {first:?}");
@@ -169,10 +193,9 @@ fn a_sphere_on_a_turntable_does_not_pump() {
 #[test]
 fn nothing_is_cut_off_while_a_long_surface_turns() {
     let points = ellipsoid(DVec3::new(4.0, 0.5, 0.7), DVec3::new(1.0, 2.0, 3.0));
-    for turntable in [90.0, -180.0, 360.0, 720.0] {
-        let section =
-            CameraSection { turntable, direction: Some([0.0, -1.0, 0.3]), up: Some([0.0, 0.0, 1.0]), ..usual() };
-        let motion = moving(&section, &points);
+    for turntable in [90.0_f64, -180.0, 360.0, 720.0] {
+        let view = seen_from(DVec3::new(0.0, -1.0, 0.3), DVec3::Z).with_turntable(turntable.to_radians());
+        let motion = moving(&view.expect("a view"), &points);
         let reaches: Vec<f64> = (0..=200).map(|k| reach(&motion.at(f64::from(k) / 200.0, 0.0), &points)).collect();
         let largest = reaches.iter().copied().fold(0.0, f64::max);
         assert!((0.8..0.87).contains(&largest), "{turntable} degrees: {largest}");
@@ -183,9 +206,8 @@ fn nothing_is_cut_off_while_a_long_surface_turns() {
 #[test]
 fn the_turntable_turns_about_up_at_a_constant_rate() {
     let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
-    let section =
-        CameraSection { turntable: 360.0, direction: Some([1.0, 0.0, 0.5]), up: Some([0.0, 0.0, 1.0]), ..usual() };
-    let motion = moving(&section, &points);
+    let view = seen_from(DVec3::new(1.0, 0.0, 0.5), DVec3::Z).with_turntable(TAU).expect("a view");
+    let motion = moving(&view, &points);
     for k in 0..8 {
         let toward_eye = motion.at(f64::from(k) / 8.0, 0.0).view_from_world().matrix3.transpose() * DVec3::Z;
         let angle = TAU * f64::from(k) / 8.0;
@@ -197,18 +219,15 @@ fn the_turntable_turns_about_up_at_a_constant_rate() {
 #[test]
 fn keys_orbit_rise_dolly_and_look_at_targets() {
     let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
-    let key = |time, orbit, rise, dolly, target| CameraKeySection { time, orbit, rise, dolly, target };
-    let section = CameraSection {
-        direction: Some([1.0, 0.0, 0.0]),
-        up: Some([0.0, 0.0, 1.0]),
-        keys: vec![
-            key(0.0, 0.0, 0.0, 1.0, None),
-            key(0.5, 90.0, 0.0, 1.0, None),
-            key(1.0, 90.0, 90.0, 0.5, Some([0.3, 0.0, 0.0])),
-        ],
-        ..usual()
-    };
-    let motion = moving(&section, &points);
+    let key = |time, orbit, rise, dolly, target| ViewKey { time, orbit, rise, dolly, target };
+    let right = TAU / 4.0;
+    let keys = vec![
+        key(0.0, 0.0, 0.0, 1.0, None),
+        key(0.5, right, 0.0, 1.0, None),
+        key(1.0, right, right, 0.5, Some(DVec3::new(0.3, 0.0, 0.0))),
+    ];
+    let view = seen_from(DVec3::X, DVec3::Z).with_keys(keys, Ease::default()).expect("a view");
+    let motion = moving(&view, &points);
     let toward_eye = |time: f64| motion.at(time, time).view_from_world().matrix3.transpose() * DVec3::Z;
     assert!(toward_eye(0.0).distance(DVec3::X) < 1e-12);
     assert!(toward_eye(0.5).distance(DVec3::Y) < 1e-12);
@@ -229,8 +248,8 @@ fn a_target_is_in_the_middle_and_nothing_is_cut_off() {
     let output = Output::new(640, 480, 1).expect("a size");
     let target = DVec3::new(1.5, 0.2, 0.1);
     for field_of_view in [None, Some(0.0)] {
-        let section = CameraSection { target: Some(target.to_array()), field_of_view, ..usual() };
-        let camera = Camera::framing(&section, &Extent::of(&points), &output).expect("a view");
+        let view = with_field_of_view(usual(), field_of_view).with_target(target).expect("a view");
+        let camera = Camera::framing(&view, &Extent::of(&points), &output).expect("a view");
         assert!(camera.view_from_world().transform_point3(target).truncate().length() < 1e-12);
         assert!((0.8..0.87).contains(&reach(&camera, &points)), "{}", reach(&camera, &points));
     }
@@ -239,10 +258,17 @@ fn a_target_is_in_the_middle_and_nothing_is_cut_off() {
 #[test]
 fn a_camera_knows_where_the_next_one_shows_a_point() {
     let points = ellipsoid(DVec3::new(2.0, 1.0, 0.7), DVec3::ZERO);
-    let key = |time, orbit, rise, dolly| CameraKeySection { time, orbit, rise, dolly, target: None };
+    let key = |time, orbit: f64, rise: f64, dolly| ViewKey {
+        time,
+        orbit: orbit.to_radians(),
+        rise: rise.to_radians(),
+        dolly,
+        target: None,
+    };
     for field_of_view in [None, Some(0.0)] {
         let keys = vec![key(0.0, 0.0, 0.0, 1.0), key(1.0, 70.0, 20.0, 1.7)];
-        let motion = moving(&CameraSection { keys, field_of_view, ..usual() }, &points);
+        let view = with_field_of_view(usual(), field_of_view).with_keys(keys, Ease::default()).expect("a view");
+        let motion = moving(&view, &points);
         let (here, there) = (motion.at(0.0, 0.0), motion.at(1.0, 1.0));
         for &point in points.iter().step_by(100) {
             let carried = here.as_seen_by(&there).transform_point3(point);

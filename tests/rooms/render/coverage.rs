@@ -5,7 +5,7 @@
 
 use crate::support::plan_view;
 use glam::{DVec3, Vec3};
-use immerse::render::{Camera, Film, Lights, Lines, Look, Output, Paint, Scenery, render};
+use immerse::render::{Camera, Lights, Lines, Look, Output, Paint, Picture, Scenery, render};
 
 const WHITE: Vec3 = Vec3::ONE;
 
@@ -21,19 +21,19 @@ fn flat_look() -> Look {
     }
 }
 
-fn picture(size: [usize; 2], samples: usize, triangles: &[[[f64; 3]; 3]]) -> Film {
+fn picture(size: [usize; 2], samples: usize, triangles: &[[[f64; 3]; 3]]) -> Picture {
     let output = Output::new(size[0], size[1], samples).expect("a size");
     seen_by(&plan_view(&output), &output, triangles)
 }
 
-fn seen_by(camera: &Camera, output: &Output, triangles: &[[[f64; 3]; 3]]) -> Film {
+fn seen_by(camera: &Camera, output: &Output, triangles: &[[[f64; 3]; 3]]) -> Picture {
     let positions: Vec<DVec3> = triangles.iter().flatten().map(|&corner| DVec3::from(corner)).collect();
     let triangles: Vec<[u32; 3]> = (0..triangles.len() as u32).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
-    render(&scenery, camera, &Lights(Vec::new()), &flat_look(), output).expect("a picture")
+    render(&scenery, camera, &Lights::new(Vec::new()), &flat_look(), output).expect("a picture")
 }
 
-fn drawing(film: &Film) -> String {
+fn drawing(film: &Picture) -> String {
     let symbol = |pixel: &glam::Vec4| match (pixel.w > 0.5, pixel.x > 0.25) {
         (false, _) => '.',
         (true, true) => '#',
@@ -74,7 +74,7 @@ fn triangles_around_a_point_leave_no_crack_and_hit_no_sample_twice() {
     let fan: Vec<[[f64; 3]; 3]> = (0..rim.len()).map(|k| [center, rim[k], rim[(k + 1) % rim.len()]]).collect();
     for samples in [1, 4, 8, 16] {
         let together = picture([16, 12], samples, &fan);
-        let alone: Vec<Film> = fan.iter().map(|&triangle| picture([16, 12], samples, &[triangle])).collect();
+        let alone: Vec<Picture> = fan.iter().map(|&triangle| picture([16, 12], samples, &[triangle])).collect();
         for pixel in 0..16 * 12 {
             let sum: f32 = alone.iter().map(|film| film.beauty()[pixel].w).sum();
             let whole = together.beauty()[pixel].w;
@@ -108,7 +108,7 @@ fn of_two_triangles_at_the_same_depth_the_first_is_seen() {
 fn a_floor_that_passes_under_the_eye_is_clipped_at_the_near_plane() {
     let output = Output::new(8, 8, 1).expect("a size").with_layers(true);
     let eye = DVec3::new(0.0, 1.0, 0.0);
-    let camera = Camera::look_at(eye, eye - DVec3::Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");
+    let camera = Camera::look_at(eye, eye - DVec3::Z, DVec3::Y, 90_f64.to_radians(), 1.0, &output).expect("a view");
     let (far, wide) = (1000.0, 5000.0);
     let floor = [
         [[-wide, 0.0, far], [wide, 0.0, far], [wide, 0.0, -far]],
@@ -156,7 +156,8 @@ fn large_and_small_triangles_meet_without_a_crack() {
 #[test]
 fn nothing_nearer_than_the_near_plane_is_seen() {
     let output = Output::new(4, 2, 1).expect("a size");
-    let camera = Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");
+    let camera =
+        Camera::look_at(DVec3::ZERO, DVec3::NEG_Z, DVec3::Y, 90_f64.to_radians(), 1.0, &output).expect("a view");
     // The near plane is a thousandth of the size of the surface away.
     for (distance, row) in [(0.0009, "...."), (0.0011, "####")] {
         let film =

@@ -2,9 +2,8 @@
 
 use exr::prelude::{AnyChannels, FlatSamples, Layer, read_first_flat_layer_from_file};
 use glam::{DVec3, Vec3};
-use immerse::{
-    render::{Camera, Exposure, Extent, Film, Lights, Look, Metadata, Output, Png, Scenery, render},
-    scene::CameraSection,
+use immerse::render::{
+    Camera, Exposure, Extent, Lights, Look, Metadata, Output, Picture, Png, RenderError, Scenery, View, render,
 };
 
 const TETRAHEDRON: [[u32; 3]; 4] = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
@@ -14,10 +13,10 @@ fn corners() -> [DVec3; 4] {
 }
 
 fn camera(output: &Output) -> Camera {
-    Camera::framing(&CameraSection::default(), &Extent::of(&corners()), output).expect("a view")
+    Camera::framing(&View::default(), &Extent::of(&corners()), output).expect("a view")
 }
 
-fn picture(output: &Output) -> Film {
+fn picture(output: &Output) -> Picture {
     let positions = corners();
     let next: Vec<DVec3> = positions.iter().map(|place| *place + DVec3::new(0.01, 0.02, 0.0)).collect();
     let scenery =
@@ -134,8 +133,8 @@ fn transformed(point: [f64; 3], matrix: [f32; 16]) -> [f64; 3] {
 fn the_matrices_of_an_exr_lead_from_its_positions_to_its_pixels_and_depths() {
     for field_of_view in [None, Some(0.0)] {
         let output = Output::new(80, 60, 4).expect("a size").with_layers(true);
-        let section = CameraSection { field_of_view, ..CameraSection::default() };
-        let camera = Camera::framing(&section, &Extent::of(&corners()), &output).expect("a view");
+        let view = field_of_view.map_or(Ok(View::default()), |angle| View::default().with_field_of_view(angle));
+        let camera = Camera::framing(&view.expect("a view"), &Extent::of(&corners()), &output).expect("a view");
         let positions = corners();
         let scenery = Scenery { triangles: &TETRAHEDRON, positions: &positions, ..Scenery::default() };
         let film = render(&scenery, &camera, &Lights::default(), &Look::default(), &output).expect("a picture");
@@ -257,7 +256,7 @@ fn an_exposure_is_the_mean_of_its_pictures_in_linear_light() {
     let output = Output::new(16, 12, 4).expect("a size");
     let film = picture(&output);
     let mut exposure = Exposure::of(film.clone());
-    let nothing = Film::blank(16, 12, Vec3::ONE);
+    let nothing = Picture::blank(16, 12, Vec3::ONE);
     exposure.add(&nothing);
     exposure.add(&nothing);
     exposure.add(&film);
@@ -272,7 +271,7 @@ fn a_picture_pasted_on_a_larger_one_stays_as_it_is() {
     let film = picture(&output);
     let ground = Look::default().background[0];
     for background in [ground, Vec3::ZERO] {
-        let mut sheet = Film::blank(40, 30, background);
+        let mut sheet = Picture::blank(40, 30, background);
         sheet.paste(&film, [3, 5]);
         sheet.paste(&film, [30, 25]);
         let (part, all) = (film.srgb_bytes(), sheet.srgb_bytes());
@@ -281,6 +280,34 @@ fn a_picture_pasted_on_a_larger_one_stays_as_it_is() {
                 let pasted = all[3 * ((5 + y) * 40 + 3) + x];
                 assert!(pasted.abs_diff(part[3 * 16 * y + x]) <= 1, "up to the dither");
             }
+        }
+    }
+}
+
+#[test]
+fn frames_beyond_what_an_exr_counts_are_not_negative() {
+    let output = Output::new(4, 3, 1).expect("a size");
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("late.exr");
+    let late = Metadata { frame: 1 << 31, frames: 3 << 31, ..metadata(&output) };
+    picture(&output).write_exr(&path, &late).expect("an EXR");
+    let image = read_first_flat_layer_from_file(&path).expect("a readable EXR");
+    for name in ["frame", "frames"] {
+        let value = &image.layer_data.attributes.other[&exr::meta::attribute::Text::new_or_panic(name)];
+        assert_eq!(*value, exr::meta::attribute::AttributeValue::I32(i32::MAX), "{name}");
+    }
+}
+
+#[test]
+fn a_picture_without_pixels_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for [width, height] in [[0, 0], [0, 3], [3, 0]] {
+        let nothing = Picture::blank(width, height, Vec3::ONE);
+        assert!(nothing.srgb_bytes().is_empty() && nothing.srgb_words().is_empty());
+        for sixteen_bits in [false, true] {
+            let style = Png { sixteen_bits, ..Png::default() };
+            let written = nothing.write_png(&folder.path().join("nothing.png"), style, &Metadata::default());
+            assert!(matches!(written, Err(RenderError::Write { .. })), "{width} x {height}: {written:?}");
         }
     }
 }

@@ -5,8 +5,7 @@ use glam::{DMat3, DQuat, DVec3};
 use immerse::{
     immersion::RigidMotion,
     mesh::shapes,
-    render::{Camera, Extent, Output},
-    scene::CameraSection,
+    render::{Camera, Extent, Output, View},
 };
 
 /// A box with its corners at these multiples of its sides.
@@ -30,7 +29,7 @@ fn sphere(subdivisions: usize) -> (Vec<DVec3>, Vec<[u32; 3]>) {
 
 fn rotation_of(extent: &Extent) -> DMat3 {
     let output = Output::new(640, 480, 1).unwrap();
-    Camera::framing(&CameraSection::default(), extent, &output).unwrap().view_from_world().matrix3
+    Camera::framing(&View::default(), extent, &output).unwrap().view_from_world().matrix3
 }
 
 fn rotation(positions: &[DVec3], triangles: &[[u32; 3]]) -> DMat3 {
@@ -213,4 +212,11 @@ fn a_scene_in_another_unit_has_the_same_view() {
             std::fs::remove_dir_all(folder.path().join(name)).unwrap();
         }
     }
+}
+
+#[test]
+fn triangles_with_a_corner_that_has_no_position_are_left_out() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::new(9.0, 9.0, 1.0)];
+    let [with, without] = [&[[0, 1, 2], [1, 2, 9]][..], &[[0, 1, 2]]];
+    assert_eq!(rotation(&positions, with), rotation(&positions, without));
 }

@@ -6,8 +6,10 @@ use std::path::{Path, PathBuf};
 
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Field, FieldValues, Film, Lights, Look, Metadata, Output, Plane, Png, Scenery, render},
-    scene::{CameraSection, LookName},
+    immersion::FieldValues,
+    render::{
+        Camera, Extent, Field, Lights, Look, LookName, Metadata, Output, Picture, Plane, Png, Scenery, View, render,
+    },
 };
 
 const LOOKS: [(LookName, &str); 6] = [
@@ -49,14 +51,13 @@ fn ring() -> Ring {
     }
 }
 
-fn picture(name: LookName, size: [usize; 2]) -> Film {
+fn picture(name: LookName, size: [usize; 2]) -> Picture {
     let Ring { positions, triangles, boundary, around } = ring();
     let heights = positions.iter().map(|position| position.y as f32 + 0.5).collect();
     let height = Field { name: "height".into(), unit: "", values: FieldValues::PerVertex(heights), period: None };
     let output = Output::new(size[0], size[1], 8).expect("a size");
-    let section =
-        CameraSection { direction: Some([0.5, 0.7, 1.0]), up: Some([0.0, 1.0, 0.0]), ..CameraSection::default() };
-    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let view = View::default().with_direction(DVec3::new(0.5, 0.7, 1.0)).and_then(|view| view.with_up(DVec3::Y));
+    let camera = Camera::framing(&view.expect("a view"), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery {
         triangles: &triangles,
         positions: &positions,

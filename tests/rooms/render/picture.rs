@@ -5,8 +5,11 @@ use std::f64::consts::TAU;
 use crate::support::from_above;
 use glam::{DVec3, Vec3};
 use immerse::{
-    render::{Camera, Extent, Film, Lights, Lines, Look, Material, Output, Paint, RenderError, Scenery, render},
-    scene::{CameraSection, LightSection, LookSection, OutputSection},
+    advice::Advice,
+    render::{
+        Camera, Extent, Light, Lights, Lines, Look, Material, Output, Paint, Pattern, PatternKind, Picture, Plane,
+        RenderError, Scenery, View, render,
+    },
 };
 
 /// A torus of revolution around y.
@@ -40,8 +43,8 @@ fn sphere() -> (Vec<DVec3>, Vec<[u32; 3]>) {
     (directions, triangles[..kept].to_vec())
 }
 
-fn shown(positions: &[DVec3], triangles: &[[u32; 3]], look: &Look, output: &Output) -> Film {
-    let camera = Camera::framing(&CameraSection::default(), &Extent::of(positions), output).expect("a view");
+fn shown(positions: &[DVec3], triangles: &[[u32; 3]], look: &Look, output: &Output) -> Picture {
+    let camera = Camera::framing(&View::default(), &Extent::of(positions), output).expect("a view");
     let scenery = Scenery { triangles, positions, ..Scenery::default() };
     render(&scenery, &camera, &Lights::default(), look, output).expect("a picture")
 }
@@ -51,7 +54,7 @@ fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
     let (positions, triangles) = sphere();
     let surround = Vec3::splat(0.75);
     let output = Output::new(96, 72, 8).expect("a size");
-    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions), &output).expect("a view");
+    let camera = Camera::framing(&View::default(), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let pbr = |roughness: f32, metallic: f32| Material::Pbr { roughness, metallic };
     let materials = [Material::Studio { gloss: 1.0 }, pbr(0.1, 0.0), pbr(1.0, 0.0), pbr(0.3, 1.0), pbr(1.0, 1.0)];
@@ -69,7 +72,7 @@ fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
             lines: Lines::NONE,
             ..Look::default()
         };
-        let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+        let film = render(&scenery, &camera, &Lights::new(Vec::new()), &look, &output).expect("a picture");
         assert!(film.beauty()[36 * 96 + 48].w > 0.6, "the sphere is there");
         let bytes = film.srgb_bytes();
         let (least, most) = (bytes.iter().min().copied(), bytes.iter().max().copied());
@@ -82,12 +85,12 @@ fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
 fn the_hollow_of_a_torus_gets_less_ambient_light_and_its_outside_all_of_it() {
     let (positions, triangles) = torus(96, 40);
     let output = Output::new(160, 120, 4).expect("a size");
-    let section = CameraSection { direction: Some([0.0, 1.0, 0.0]), up: Some([0.0, 0.0, -1.0]), ..Default::default() };
-    let camera = Camera::framing(&section, &Extent::of(&positions), &output).expect("a view");
+    let camera =
+        Camera::framing(&support::seen_from(DVec3::Y, DVec3::NEG_Z), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let [open, occluded] = [0.0, 2.0].map(|occlusion_reach| {
         let look = Look { lines: Lines::NONE, occlusion_reach, ..Look::default() };
-        render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture")
+        render(&scenery, &camera, &Lights::new(Vec::new()), &look, &output).expect("a picture")
     });
     // From above, along the horizontal through the middle: the outer flank, then the inner one.
     let row = 60 * 160..60 * 160 + 80;
@@ -133,7 +136,7 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
         ..Scenery::default()
     };
     let look = Look { occlusion_reach: 0.0, ..Look::default() };
-    let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+    let film = render(&scenery, &camera, &Lights::new(Vec::new()), &look, &output).expect("a picture");
     let pixel = |x: f64, y: f64| film.beauty()[(120.0 - 54.0 * y) as usize * 240 + (120.0 + 54.0 * x) as usize];
     let sheet = pixel(-1.0, -0.5);
     assert!(pixel(0.7, 1.0).y < 0.3 * sheet.y, "the rim in front is red: {}", pixel(0.7, 1.0));
@@ -145,10 +148,9 @@ fn rims_boundary_and_self_intersections_are_drawn_and_hidden_lines_are_not() {
 #[test]
 fn the_number_of_threads_changes_no_bit() {
     let (positions, triangles) = torus(64, 24);
-    let look =
-        Look::from_scene(&LookSection { wireframe: Some(0.3), ..LookSection::default() }, "".as_ref()).expect("a look");
+    let look = Look { wireframe: 0.3, ..Look::default() };
     let output = Output::new(200, 150, 4).expect("a size");
-    let pictures: Vec<Film> = [1, 2, 4]
+    let pictures: Vec<Picture> = [1, 2, 4]
         .map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
             pool.install(|| shown(&positions, &triangles, &look, &output))
@@ -178,7 +180,7 @@ fn triangles_without_area_or_with_wild_corners_are_left_out_and_counted() {
         [first + 3, first + 4, first + 5],
     ]);
     let output = Output::new(64, 48, 4).expect("a size");
-    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions[..first as usize]), &output);
+    let camera = Camera::framing(&View::default(), &Extent::of(&positions[..first as usize]), &output);
     let scenery = Scenery {
         triangles: &triangles,
         positions: &positions,
@@ -215,7 +217,7 @@ fn an_eye_inside_the_surface_sees_its_back_everywhere() {
     let (positions, triangles) = sphere();
     let output = Output::new(64, 48, 4).expect("a size");
     let eye = DVec3::new(0.1, 0.2, 0.1);
-    let camera = Camera::look_at(eye, eye + DVec3::X, DVec3::Y, 100.0, 1.0, &output).expect("a view");
+    let camera = Camera::look_at(eye, eye + DVec3::X, DVec3::Y, 100_f64.to_radians(), 1.0, &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let film = render(&scenery, &camera, &Lights::default(), &Look::default(), &output).expect("a picture");
     assert!(film.beauty().iter().all(|pixel| pixel.w == 1.0 && pixel.z > pixel.x), "blue all around");
@@ -225,41 +227,53 @@ fn an_eye_inside_the_surface_sees_its_back_everywhere() {
 fn a_missing_vertex_is_named() {
     let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
     let output = Output::new(8, 8, 1).expect("a size");
-    let camera = Camera::framing(&CameraSection::default(), &Extent::of(&positions), &output).expect("a view");
+    let camera = Camera::framing(&View::default(), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { positions: &positions, rims: &[[0, 1], [1, 9]], ..Scenery::default() };
     let error = render(&scenery, &camera, &Lights::default(), &Look::default(), &output).expect_err("no vertex 9");
     assert!(matches!(error, RenderError::MissingVertex { list: "rim", item: 1, vertex: 9, vertices: 3 }), "{error}");
 }
 
 #[test]
-fn impossible_values_of_a_scene_are_refused_with_a_remedy() {
-    let message = |error: RenderError| error.to_string();
-    let light = LightSection { direction: [0.0; 3], color: [1.0; 3], shadow: true };
+fn impossible_values_are_refused_with_a_remedy() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let output = Output::new(8, 8, 1).expect("a size");
+    let camera = Camera::framing(&View::default(), &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { triangles: &[[0, 1, 2]], positions: &positions, ..Scenery::default() };
+    let drawn = |look: Look| render(&scenery, &camera, &Lights::default(), &look, &output).expect_err("no such look");
+    let usual = Look::default();
+    let lines = Lines { rim: -1.0, ..usual.lines };
+    let pattern = Some(Pattern { kind: PatternKind::Grid, periods: [f32::INFINITY, 1.0], gap: 0.5 });
     let refused = [
-        (message(Lights::from_scene(&[light]).expect_err("no direction")), "write a vector"),
+        (Light::new(Vec3::ZERO, Vec3::ONE, true).expect_err("no direction"), "write a vector"),
+        (Light::new(Vec3::Z, Vec3::NEG_ONE, true).expect_err("less than black"), "write linear red"),
+        (drawn(Look { wireframe: f32::NAN, ..usual.clone() }), "write 0 for none"),
+        (drawn(Look { opacity: [0.5, 1.5], ..usual.clone() }), "write 0 for none"),
+        (drawn(Look { lines, ..usual.clone() }), "0 for no line"),
+        (drawn(Look { cut: Some(Plane { normal: DVec3::NAN, offset: 0.0 }), ..usual.clone() }), "a normal of length 1"),
         (
-            message(
-                Look::from_scene(&LookSection { wireframe: Some(f64::NAN), ..Default::default() }, "".as_ref())
-                    .expect_err("not a number"),
-            ),
-            "write 0 for none",
+            drawn(Look { cut: Some(Plane { normal: DVec3::ZERO, offset: 0.0 }), ..usual.clone() }),
+            "a normal of length 1",
         ),
-        (
-            message(Output::from_scene(&OutputSection { samples: 3, ..Default::default() }).expect_err("three")),
-            "write 1, 4, 8 or 16",
-        ),
-        (
-            message(Output::from_scene(&OutputSection { size: [0, 5], ..Default::default() }).expect_err("no width")),
-            "at least 1",
-        ),
-        (
-            message(
-                Output::from_scene(&OutputSection { size: [5, 1 << 40], ..Default::default() }).expect_err("too high"),
-            ),
-            "at most 16384",
-        ),
+        (drawn(Look { pattern, ..usual }), "give widths"),
+        (Output::new(8, 8, 3).expect_err("three"), "write 1, 4, 8 or 16"),
+        (Output::new(0, 5, 1).expect_err("no width"), "at least 1"),
+        (Output::new(5, 1 << 40, 1).expect_err("too high"), "at most 16384"),
     ];
-    for (message, remedy) in refused {
-        assert!(message.contains(remedy), "{message}");
+    for (error, remedy) in refused {
+        assert!(error.remedy().contains(remedy) && error.to_string().contains(remedy), "{error}");
+        assert!(!error.reason().contains(remedy), "{error}");
+    }
+}
+
+#[test]
+fn a_line_wider_than_pixels_can_be_counted_covers_the_picture() {
+    let positions = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    let output = Output::new(16, 12, 1).expect("a size");
+    let camera = Camera::framing(&View::default(), &Extent::of(&positions), &output).expect("a view");
+    let scenery = Scenery { triangles: &[[0, 1, 2]], positions: &positions, pins: &[0], ..Scenery::default() };
+    for pin in [1e3, 1e12] {
+        let look = Look { lines: Lines { pin, ..Lines::NONE }, ..Look::default() };
+        let picture = render(&scenery, &camera, &Lights::default(), &look, &output).expect("a picture");
+        assert!(picture.beauty().iter().all(|pixel| pixel.w == 1.0), "{pin}");
     }
 }

@@ -1,25 +1,25 @@
 //! Colour maps, labels and legends on finished pictures.
 
 use glam::{DVec3, Vec2, Vec3, Vec4};
+use immerse::immersion::FieldName;
 use immerse::render::{
-    Anchor, Camera, ColorMap, Film, Legend, Lights, Look, Output, Overlay, RenderError, Scenery, TextStyle, fill_in,
-    render, text_width,
+    Anchor, Camera, ColorMap, Corner, Legend, Lights, Look, Output, Overlay, Picture, RenderError, Scenery, TextStyle,
+    fill_in, render, text_width,
 };
-use immerse::scene::{ColorMapName, Corner, FieldName};
 
-const MAPS: [ColorMapName; 6] = [
-    ColorMapName::Viridis,
-    ColorMapName::Inferno,
-    ColorMapName::Cividis,
-    ColorMapName::Diverging,
-    ColorMapName::Cyclic,
-    ColorMapName::Categorical,
+const MAPS: [ColorMap; 6] = [
+    ColorMap::Viridis,
+    ColorMap::Inferno,
+    ColorMap::Cividis,
+    ColorMap::Diverging,
+    ColorMap::Cyclic,
+    ColorMap::Categorical,
 ];
 
 /// A picture of nothing.
-fn blank(width: usize, height: usize) -> Film {
+fn blank(width: usize, height: usize) -> Picture {
     let output = Output::new(width, height, 1).unwrap();
-    let camera = Camera::look_at(DVec3::Z, DVec3::ZERO, DVec3::Y, 30.0, 1.0, &output).unwrap();
+    let camera = Camera::look_at(DVec3::Z, DVec3::ZERO, DVec3::Y, 30_f64.to_radians(), 1.0, &output).unwrap();
     render(&Scenery::default(), &camera, &Lights::default(), &Look::default(), &output).unwrap()
 }
 
@@ -28,7 +28,7 @@ fn style(size: f32, anchor: Anchor) -> TextStyle {
 }
 
 /// Columns and rows from the first to the one after the last that something is drawn on.
-fn drawn(film: &Film) -> Option<[[usize; 2]; 2]> {
+fn drawn(film: &Picture) -> Option<[[usize; 2]; 2]> {
     let inked = |at: &(usize, &Vec4)| at.1.w > 0.0;
     let places: Vec<usize> = film.beauty().iter().enumerate().filter(inked).map(|(at, _)| at).collect();
     let span = |of: &dyn Fn(usize) -> usize| {
@@ -38,7 +38,7 @@ fn drawn(film: &Film) -> Option<[[usize; 2]; 2]> {
     Some([span(&|at| at % film.width())?, span(&|at| at / film.width())?])
 }
 
-fn pixel(film: &Film, x: usize, y: usize) -> Vec3 {
+fn pixel(film: &Picture, x: usize, y: usize) -> Vec3 {
     film.beauty()[y * film.width() + x].truncate()
 }
 
@@ -51,19 +51,19 @@ fn lightness(color: Vec3) -> f32 {
 
 #[test]
 fn maps_are_even_to_the_eye() {
-    let at = |map: ColorMapName, place: f32| lightness(ColorMap(map).at(place));
+    let at = |map: ColorMap, place: f32| lightness(map.at(place));
     let steps = || (0..64).map(|k| (k as f32 / 64.0, (k + 1) as f32 / 64.0));
-    for map in [ColorMapName::Viridis, ColorMapName::Inferno, ColorMapName::Cividis] {
+    for map in [ColorMap::Viridis, ColorMap::Inferno, ColorMap::Cividis] {
         assert!(steps().all(|(a, b)| at(map, b) > at(map, a)), "{map:?} does not get lighter everywhere");
     }
     for (a, b) in steps() {
-        let climb = at(ColorMapName::Diverging, b) - at(ColorMapName::Diverging, a);
+        let climb = at(ColorMap::Diverging, b) - at(ColorMap::Diverging, a);
         assert!((climb.abs() - 1.0 / 64.0).abs() < 0.003 && (climb > 0.0) == (a < 0.5), "from {a}: {climb}");
-        assert!((at(ColorMapName::Cyclic, a) - at(ColorMapName::Cyclic, 0.0)).abs() < 0.01);
+        assert!((at(ColorMap::Cyclic, a) - at(ColorMap::Cyclic, 0.0)).abs() < 0.01);
     }
     for name in MAPS {
         for k in 0..=200 {
-            let color = ColorMap(name).at(k as f32 / 100.0 - 0.5);
+            let color = name.at(k as f32 / 100.0 - 0.5);
             assert!(color.min_element() >= 0.0 && color.max_element() <= 1.0, "{name:?} leaves the gamut: {color}");
         }
     }
@@ -71,7 +71,7 @@ fn maps_are_even_to_the_eye() {
 
 #[test]
 fn the_diverging_map_is_white_exactly_in_the_middle_and_the_cyclic_one_closes() {
-    let diverging = ColorMap(ColorMapName::Diverging);
+    let diverging = ColorMap::Diverging;
     assert_eq!(diverging.at(0.5), Vec3::ONE);
     assert_eq!(diverging.color(0.0, [-3.0, 3.0]), Vec3::ONE);
     let (low, high) = (diverging.at(0.0), diverging.at(1.0));
@@ -79,7 +79,7 @@ fn the_diverging_map_is_white_exactly_in_the_middle_and_the_cyclic_one_closes() 
     assert_eq!(diverging.color(-9.0, [-3.0, 3.0]), low);
     assert_eq!(diverging.color(9.0, [-3.0, 3.0]), high);
 
-    let cyclic = ColorMap(ColorMapName::Cyclic);
+    let cyclic = ColorMap::Cyclic;
     assert!(cyclic.at(0.0).distance(cyclic.at(0.9999)) < 1e-2);
     assert_eq!(cyclic.at(1.25), cyclic.at(0.25));
 }
@@ -93,8 +93,7 @@ fn numbers_of_things_have_distinct_colors_and_nothing_is_grey() {
     }
     assert!(colors[0].max_element() - colors[0].min_element() < 0.1, "0 is not grey");
     assert_eq!(map.color(10.0, [0.0, 20.0]), colors[1]);
-    for name in MAPS {
-        let map = ColorMap(name);
+    for map in MAPS {
         assert_eq!(map.color(f32::NAN, [0.0, 1.0]), colors[0]);
         assert!(map.color(f32::INFINITY, [0.0, 1.0]).is_finite() && map.color(1.0, [1.0, 1.0]).is_finite());
     }
@@ -186,10 +185,10 @@ fn nothing_is_drawn_of_nothing_and_outside() {
 }
 
 fn length_error(range: [f32; 2], greatest: f32) -> Legend {
-    Legend::new(FieldName::LengthError, ColorMap(ColorMapName::Viridis), range, Some([0.0, greatest]))
+    Legend::new(FieldName::LengthError, ColorMap::Viridis, range, Some([0.0, greatest]))
 }
 
-fn with_legend(width: usize, height: usize, legend: Legend) -> Film {
+fn with_legend(width: usize, height: usize, legend: Legend) -> Picture {
     let mut film = blank(width, height);
     let ink = film.ink();
     film.draw_overlay(&Overlay { legend: Some(legend), ..Overlay::default() }, ink);
@@ -201,7 +200,7 @@ fn a_bar_has_the_colors_of_the_map() {
     // Labels are 1080/42 = 25.7 high; the bar is half of that wide, 0.42 of 1080 high, and 1.5 of that from the edge.
     let film = with_legend(1920, 1080, length_error([0.0, 0.5], 0.4));
     let (right, top, bottom) = (1881, 326, 780);
-    let map = ColorMap(ColorMapName::Viridis);
+    let map = ColorMap::Viridis;
     for y in top + 3..bottom - 3 {
         let place = (bottom as f32 - y as f32 - 0.5) / (bottom - top) as f32;
         assert_eq!(pixel(&film, right - 6, y), map.at(place), "row {y}");
@@ -216,7 +215,7 @@ fn a_bar_has_the_colors_of_the_map() {
 #[test]
 fn an_arrow_tells_of_values_beyond_the_range() {
     let arrow = |legend: Legend, y: usize| pixel(&with_legend(1920, 1080, legend), 1881 - 7, y);
-    let map = ColorMap(ColorMapName::Viridis);
+    let map = ColorMap::Viridis;
     let (above, below) = (326 - 9, 780 + 8);
     assert_eq!(arrow(length_error([0.0, 0.5], 0.7), above), map.at(1.0));
     assert_eq!(arrow(length_error([0.0, 0.5], 0.5), above), Vec3::ZERO);
@@ -265,7 +264,7 @@ fn ink_is_read_on_any_background() {
     let on = |background: f32| {
         let look = Look { background: [Vec3::splat(background); 2], ..Look::default() };
         let output = Output::new(4, 4, 1).unwrap();
-        let camera = Camera::look_at(DVec3::Z, DVec3::ZERO, DVec3::Y, 30.0, 1.0, &output).unwrap();
+        let camera = Camera::look_at(DVec3::Z, DVec3::ZERO, DVec3::Y, 30_f64.to_radians(), 1.0, &output).unwrap();
         let film = render(&Scenery::default(), &camera, &Lights::default(), &look, &output).unwrap();
         lightness(film.ink()) - lightness(Vec3::splat(background))
     };
@@ -277,16 +276,10 @@ fn pictures_of_any_size_take_any_overlay() {
     let ranges =
         [[0.0, 1.0], [-1e-30, 1e30], [0.0, 0.0], [5.0, -5.0], [f32::NAN, 1.0], [0.0, f32::INFINITY], [0.0, 1e9]];
     for (width, height) in [(1, 1), (1, 900), (700, 2), (13, 17), (400, 300)] {
-        for name in MAPS {
+        for map in MAPS {
             for range in ranges {
                 for text_size in [0.0, 0.3, 1.0, 40.0, f32::NAN] {
-                    let legend = Legend {
-                        title: "τ".repeat(300),
-                        unit: "%".into(),
-                        map: ColorMap(name),
-                        range,
-                        beyond: [true; 2],
-                    };
+                    let legend = Legend { title: "τ".repeat(300), unit: "%".into(), map, range, beyond: [true; 2] };
                     let texts = vec![
                         (Corner::TopRight, "中\u{301}🦊\0 long ".repeat(20)),
                         (Corner::BottomLeft, "\n\n\n".into()),
@@ -311,7 +304,7 @@ fn templates_are_filled_in() {
         Err(error @ RenderError::Label { .. }) => error.to_string(),
         other => panic!("{other:?}"),
     };
-    assert_eq!(message("{fame}"), "[[look.text]] text = \"{fame}\" asks for `{fame}`; there are {frame}, {error}");
+    assert_eq!(message("{fame}"), "text = \"{fame}\" asks for `{fame}`; there are {frame}, {error}");
     for (template, brace) in [("a { b", "{"), ("a } b", "}"), ("{frame", "{"), ("}}}", "}")] {
         assert!(message(template).contains(&format!("has a `{brace}` without its partner; write `{brace}{brace}`")));
     }

@@ -6,10 +6,11 @@
 use crate::support::plan_view;
 use glam::{DVec3, Vec3, Vec4};
 use immerse::{
+    immersion::FieldValues,
     render::{
-        Camera, Field, FieldValues, Film, Lights, Lines, Look, Material, Output, Paint, Pattern, Plane, Scenery, render,
+        Camera, Field, Lights, Lines, Look, Material, Output, Paint, Pattern, PatternKind, Picture, Plane, Scenery,
+        render,
     },
-    scene::PatternKind,
 };
 
 const RED: Vec3 = Vec3::new(0.5, 0.0, 0.0);
@@ -70,8 +71,8 @@ impl Model {
         }
     }
 
-    fn film(&self, look: &Look, output: &Output) -> Film {
-        render(&self.scenery(), &plan_view(output), &Lights(Vec::new()), look, output).expect("a picture")
+    fn film(&self, look: &Look, output: &Output) -> Picture {
+        render(&self.scenery(), &plan_view(output), &Lights::new(Vec::new()), look, output).expect("a picture")
     }
 }
 
@@ -80,7 +81,7 @@ fn assert_close(found: Vec4, wanted: Vec4, place: &str) {
 }
 
 /// One sample per pixel, `#` where it is covered.
-fn covered_row(film: &Film) -> String {
+fn covered_row(film: &Picture) -> String {
     film.beauty()[..film.width()].iter().map(|pixel| if pixel.w > 0.5 { '#' } else { '.' }).collect()
 }
 
@@ -222,7 +223,8 @@ fn gaps_of_bands_are_left_out_column_by_column() {
         let pattern = Pattern { kind: PatternKind::Bands, periods: [4.0, 0.0], gap };
         for see_through in [unlit(), glass(0.9)] {
             let look = Look { pattern: Some(pattern), ..see_through };
-            let film = render(&scenery, &plan_view(&output), &Lights(Vec::new()), &look, &output).expect("a picture");
+            let film =
+                render(&scenery, &plan_view(&output), &Lights::new(Vec::new()), &look, &output).expect("a picture");
             assert_eq!(covered_row(&film), wanted, "gap {gap}");
         }
     }
@@ -234,7 +236,7 @@ fn bands_are_in_perspective() {
     // distance 4 / y, as half of the picture is four pixels high under a right angle of view.
     let output = Output::new(8, 8, 1).expect("a size");
     let eye = DVec3::new(0.0, 1.0, 0.0);
-    let camera = Camera::look_at(eye, eye - DVec3::Z, DVec3::Y, 90.0, 1.0, &output).expect("a view");
+    let camera = Camera::look_at(eye, eye - DVec3::Z, DVec3::Y, 90_f64.to_radians(), 1.0, &output).expect("a view");
     let positions = [[-99.0, 0.0, 9.0], [99.0, 0.0, 9.0], [99.0, 0.0, -99.0], [-99.0, 0.0, -99.0]].map(DVec3::from);
     let along = Field {
         name: "distance".into(),
@@ -251,7 +253,7 @@ fn bands_are_in_perspective() {
     // The middles of the rows see 8, 2.67, 1.6 and 1.14: bands from 0 to 1, 2 to 3, … are there.
     let pattern = Pattern { kind: PatternKind::Bands, periods: [2.0, 0.0], gap: 0.5 };
     let look = Look { pattern: Some(pattern), ..unlit() };
-    let film = render(&scenery, &camera, &Lights(Vec::new()), &look, &output).expect("a picture");
+    let film = render(&scenery, &camera, &Lights::new(Vec::new()), &look, &output).expect("a picture");
     let column: String = (4..8).map(|y| if film.beauty()[y * 8 + 3].w > 0.5 { '#' } else { '.' }).collect();
     assert_eq!(column, "##..");
 }
@@ -326,5 +328,25 @@ fn crops_outside_the_picture_are_refused() {
     for crop in [[0, 0, 0, 5], [100, 0, 51, 5], [150, 0, 1, 1], [0, 0, usize::MAX, 1], [1, 0, usize::MAX, 1]] {
         let error = output.with_crop(crop).expect_err("no part").to_string();
         assert!(error.contains("150 x 100"), "{error}");
+    }
+}
+
+/// An edge that crosses more bands than can be listed is drawn as a whole.
+#[test]
+fn bands_too_narrow_to_be_told_apart_do_not_keep_edges_from_ending() {
+    let model = Model::default().sheet([0.0, -4.0], [16.0, 8.0], [0.0, 5.0], true);
+    let along = Field {
+        name: "x".into(),
+        unit: "",
+        values: FieldValues::PerVertex(model.positions.iter().map(|position| position.x as f32).collect()),
+        period: None,
+    };
+    let boundary = [[model.triangles[0][0], model.triangles[0][1]]];
+    let scenery = Scenery { along: [Some(&along), None], boundary: &boundary, ..model.scenery() };
+    let output = Output::new(16, 2, 1).expect("a size");
+    for period in [0.0, 1e-30] {
+        let pattern = Some(Pattern { kind: PatternKind::Bands, periods: [period, 1.0], gap: 0.5 });
+        let look = Look { pattern, lines: Lines { boundary: 2.0, ..Lines::NONE }, ..unlit() };
+        assert!(render(&scenery, &plan_view(&output), &Lights::default(), &look, &output).is_ok(), "{period}");
     }
 }

@@ -1,0 +1,99 @@
+//! Where a surface passes through itself.
+
+use glam::DVec3;
+use obvhs::{BvhBuildParams, aabb::Aabb, bvh2::builder::build_bvh2_from_tris, triangle::Triangle};
+use rayon::prelude::*;
+use std::time::Duration;
+
+use crate::render::Plane;
+
+/// Where two triangles cross.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crossing {
+    /// Ends of the segment they have in common.
+    pub ends: [DVec3; 2],
+    /// Sine of the angle between their planes.
+    pub sine: f64,
+    /// The triangles.
+    pub triangles: [usize; 2],
+}
+
+/// Segments in which the triangles are cut by a plane, in their order. All corners must be finite.
+pub fn cuts(triangles: &[[u32; 3]], positions: &[DVec3], plane: Plane) -> Vec<[DVec3; 2]> {
+    let through = plane.normal * plane.offset;
+    let segment = |corners: &[u32; 3]| cut(corners.map(|vertex| positions[vertex as usize]), through, plane.normal);
+    triangles.par_iter().filter_map(segment).collect()
+}
+
+/// Crossings of triangles that share no vertex, ordered by the triangles.
+///
+/// Triangles that lie in one plane cross nowhere. All corners must be finite.
+pub fn self_intersections(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<Crossing> {
+    let Some(&[first, ..]) = triangles.first() else { return Vec::new() };
+    // Boxes are in single precision, around a corner of the surface, and a little too large.
+    let origin = positions[first as usize];
+    let corners = |index: usize| triangles[index].map(|vertex| positions[vertex as usize]);
+    let boxed: Vec<Triangle> = (0..triangles.len())
+        .into_par_iter()
+        .map(|index| {
+            let [v0, v1, v2] = corners(index).map(|corner| (corner - origin).as_vec3a());
+            Triangle { v0, v1, v2 }
+        })
+        .collect();
+    let size = boxed.iter().fold(0.0_f32, |size, triangle| size.max(triangle.v0.abs().max_element()));
+    let tree = build_bvh2_from_tris(&boxed, BvhBuildParams::fast_build(), &mut Duration::default());
+    (0..triangles.len())
+        .into_par_iter()
+        .with_min_len(256)
+        .flat_map_iter(|index| {
+            let mut partners = Vec::new();
+            let Aabb { min, max } = boxed[index].aabb();
+            let near = Aabb { min: min - 1e-6 * size, max: max + 1e-6 * size };
+            tree.aabb_traverse(near, |tree, node| {
+                let node = &tree.nodes[node as usize];
+                let leaf = node.first_index as usize..(node.first_index + node.prim_count) as usize;
+                let later =
+                    tree.primitive_indices[leaf].iter().map(|&other| other as usize).filter(|&other| other > index);
+                partners.extend(later.filter(|&other| !share_a_vertex(&triangles[index], &triangles[other])));
+                true
+            });
+            partners.sort_unstable();
+            partners.into_iter().filter_map(move |other| {
+                let (ends, sine) = crossing(corners(index), corners(other))?;
+                Some(Crossing { ends, sine, triangles: [index, other] })
+            })
+        })
+        .collect()
+}
+
+fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
+    one.iter().any(|vertex| other.contains(vertex))
+}
+
+/// The segment two triangles have in common, if they cross (Möller 1997).
+fn crossing(one: [DVec3; 3], other: [DVec3; 3]) -> Option<([DVec3; 2], f64)> {
+    let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
+    let (plane_one, plane_other) = (normal(one), normal(other));
+    let [p, q] = cut(one, other[0], plane_other)?;
+    let [r, s] = cut(other, one[0], plane_one)?;
+    // Both cuts lie on the line the planes share; keep what they have in common.
+    let across = plane_one.cross(plane_other);
+    let line = across.try_normalize()?;
+    let sine = across.length() / (plane_one.length() * plane_other.length());
+    let ordered = |[a, b]: [DVec3; 2]| if a.dot(line) <= b.dot(line) { [a, b] } else { [b, a] };
+    let ([p, q], [r, s]) = (ordered([p, q]), ordered([r, s]));
+    let from = if p.dot(line) >= r.dot(line) { p } else { r };
+    let to = if q.dot(line) <= s.dot(line) { q } else { s };
+    (from.dot(line) < to.dot(line)).then_some(([from, to], sine))
+}
+
+/// Where a plane cuts the edges of a triangle.
+fn cut(triangle: [DVec3; 3], point: DVec3, normal: DVec3) -> Option<[DVec3; 2]> {
+    let heights = triangle.map(|corner| (corner - point).dot(normal));
+    let mut ends = (0..3).filter_map(|k| {
+        let next = (k + 1) % 3;
+        let crosses = (heights[k] < 0.0) != (heights[next] < 0.0);
+        crosses.then(|| triangle[k].lerp(triangle[next], heights[k] / (heights[k] - heights[next])))
+    });
+    Some([ends.next()?, ends.next()?])
+}

@@ -1,0 +1,9 @@
+//! The surface in front of the eye.
+
+mod normals;
+mod project;
+mod sight;
+mod surface;
+
+pub use project::{Projection, SUBPIXELS, ScreenTriangle};
+pub use surface::Stage;
