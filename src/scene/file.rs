@@ -9,10 +9,9 @@ use toml::de::DeTable;
 use super::data::Scene;
 use super::error::{SceneError, SceneErrors};
 use super::foreign::{folder_that_is_no_scene, foreign_content, foreign_ending};
-use super::problems::{LISTED, Problem, Problems};
+use super::keys::{LISTED, Problem, Problems, Table};
 use super::sections::root;
 use super::source::Source;
-use super::table::Table;
 use crate::text::decode;
 
 /// Far more than any scene needs; what is longer is not a scene.

@@ -17,22 +17,19 @@ mod error;
 mod file;
 mod fingerprint;
 mod foreign;
-mod look_section;
-mod metric_section;
-mod motion_sections;
-mod names;
-mod number;
-mod picture_sections;
-mod problems;
+mod keys;
 mod schema;
 mod sections;
-mod shapes;
 mod source;
-mod spelling;
-mod table;
-mod value;
 
 pub use build::{clock_of, phases_as_text};
-pub use data::*;
+pub use data::{
+    AnimationFormat, BendingFrom, BendingRegionSection, BendingSection, CameraKeySection, CameraSection, ChangeKind,
+    ChecksSection, ClockSection, ColorSection, CurvatureRegionSection, CutSection, FilmChecksSection, Framed,
+    LengthSource, LightSection, LikeDefault, LineSection, LookSection, MaterialName, MeshSection, MetricChangeSection,
+    MetricKeySection, MetricSection, MotionSection, NumberSection, OutputSection, PatternAlong, PatternSection,
+    PhaseSection, PinSection, RelaxationSection, RicciSection, Scene, SpinSection, StartFrom, StartSection,
+    TextSection,
+};
 pub use error::{SceneError, SceneErrors};
 pub use source::{Location, Source};

@@ -2,10 +2,9 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::Scene;
+use super::data::Scene;
+use super::keys::{Bounds, Field, Kind, Variant, declared};
 use super::sections::root;
-use super::table::declared;
-use super::value::{Bounds, Field, Kind, Variant};
 
 impl Scene {
     /// The JSON schema (draft 2020-12) of a scene file, for editors that check TOML while it is written.

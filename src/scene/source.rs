@@ -8,7 +8,7 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::SceneError;
+use super::error::SceneError;
 
 /// A place in the scene file.
 #[derive(Clone, Debug, PartialEq, Eq)]

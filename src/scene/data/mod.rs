@@ -17,14 +17,21 @@ mod phase;
 mod picture;
 mod time;
 
-pub use checks::*;
-pub use look::*;
-pub use mesh::*;
-pub use metric::*;
-pub use motion::*;
-pub use phase::*;
-pub use picture::*;
-pub use time::*;
+pub use checks::{ChecksSection, FilmChecksSection};
+pub use look::{
+    ColorSection, CutSection, LineSection, LookSection, MaterialName, PatternAlong, PatternSection, TextSection,
+};
+pub use mesh::MeshSection;
+pub use metric::{
+    ChangeKind, CurvatureRegionSection, LengthSource, MetricChangeSection, MetricKeySection, MetricSection,
+    RicciSection,
+};
+pub use motion::{
+    BendingFrom, BendingRegionSection, BendingSection, MotionSection, PinSection, SpinSection, StartFrom, StartSection,
+};
+pub use phase::{LikeDefault, PhaseSection, RelaxationSection};
+pub use picture::{AnimationFormat, CameraKeySection, CameraSection, Framed, LightSection, OutputSection};
+pub use time::{ClockSection, NumberSection};
 
 /// A whole scene.
 #[derive(Clone, Debug, Default)]

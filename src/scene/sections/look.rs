@@ -1,9 +1,11 @@
 //! `[look]`.
 
-use super::data::*;
-use super::picture_sections::not_zero;
-use super::table::Table;
-use super::value::Color;
+use super::picture::not_zero;
+use crate::scene::data::{
+    ColorSection, CutSection, LineSection, LookSection, MaterialName, PatternAlong, PatternSection, TextSection,
+};
+use crate::scene::keys::Color;
+use crate::scene::keys::Table;
 use crate::{
     immersion::FieldName,
     render::{ColorMap, Corner, LookName, PatternKind},

@@ -1,10 +1,13 @@
 //! `[metric]`, its keys and changes.
 
-use super::data::*;
-use super::motion_sections::selection;
-use super::number::{ease, extrapolation};
-use super::table::Table;
+use super::selection::selection;
 use crate::metric::Interpolation;
+use crate::scene::data::{
+    ChangeKind, CurvatureRegionSection, LengthSource, MetricChangeSection, MetricKeySection, MetricSection,
+    NumberSection, RicciSection,
+};
+use crate::scene::keys::Table;
+use crate::scene::keys::{ease, extrapolation};
 use crate::timeline::{Ease, Extrapolation};
 
 pub(super) fn metric(table: &mut Table) -> MetricSection {

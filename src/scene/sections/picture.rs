@@ -1,8 +1,8 @@
 //! `[camera]`, `[[light]]` and `[output]`.
 
-use super::data::*;
-use super::number::ease;
-use super::table::Table;
+use crate::scene::data::{AnimationFormat, CameraKeySection, CameraSection, Framed, LightSection, OutputSection};
+use crate::scene::keys::Table;
+use crate::scene::keys::ease;
 use crate::{
     immersion::FieldName,
     render::{Output, Png, View},

@@ -1,7 +1,7 @@
 //! The nearest of the names that are allowed.
 
 /// The candidate closest to `word` in edits, if it is close enough to have been meant.
-pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+pub(in crate::scene) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     let word = word.to_lowercase().replace(['-', ' '], "_");
     let tolerance = 1 + word.chars().count() / 4;
     candidates
@@ -13,7 +13,7 @@ pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c s
 }
 
 /// `did you mean …?` if a candidate is near, then the list of all.
-pub(super) fn suggestion(what: &str, word: &str, candidates: &[&str]) -> String {
+pub(in crate::scene) fn suggestion(what: &str, word: &str, candidates: &[&str]) -> String {
     let quoted: Vec<String> = candidates.iter().map(|candidate| format!("`{candidate}`")).collect();
     let list = match quoted.as_slice() {
         [] => format!("there are no {what} here"),

@@ -4,10 +4,10 @@ use serde_json::Value as Json;
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::data::NumberSection;
 use super::problems::{Problem, Problems};
 use super::table::{Table, declared};
 use super::value::{Bounds, Kind, Value, shown};
+use crate::scene::data::NumberSection;
 use crate::timeline::{Ease, Extrapolation};
 
 impl Value for NumberSection {
@@ -59,7 +59,7 @@ fn keyframes(table: &mut Table) -> NumberSection {
 }
 
 /// `times` and `ease`.
-pub(super) fn times(table: &mut Table) -> (Vec<f64>, Ease) {
+pub(in crate::scene) fn times(table: &mut Table) -> (Vec<f64>, Ease) {
     let times = table.key::<Vec<f64>>("times", "Increasing times.").required(vec![0.0, 1.0]);
     if let Some([earlier, later]) = times.array_windows().find(|[earlier, later]| later <= earlier) {
         let reason = format!("keyframes are out of order: {later} comes after {earlier}");
@@ -70,20 +70,20 @@ pub(super) fn times(table: &mut Table) -> (Vec<f64>, Ease) {
     (times, ease(table))
 }
 
-pub(super) fn ease(table: &mut Table) -> Ease {
+pub(in crate::scene) fn ease(table: &mut Table) -> Ease {
     let names = [("linear", Ease::Linear), ("smooth", Ease::Smooth), ("in", Ease::In), ("out", Ease::Out)];
     let doc = "How values pass between keyframes: at constant speed (the default), or slowly at both ends, at first, at last.";
     table.choice("ease", doc, &names).unwrap_or_default()
 }
 
-pub(super) fn extrapolation(table: &mut Table) -> Extrapolation {
+pub(in crate::scene) fn extrapolation(table: &mut Table) -> Extrapolation {
     let names = [("hold", Extrapolation::Hold), ("linear", Extrapolation::Linear), ("repeat", Extrapolation::Repeat)];
     let doc = "Before the first and after the last keyframe: hold (the default), go on, or start over.";
     table.choice("extrapolation", doc, &names).unwrap_or_default()
 }
 
 /// Reports a list that does not have one entry per time.
-pub(super) fn one_per_time(table: &Table, name: &str, entries: usize, times: usize) {
+pub(in crate::scene) fn one_per_time(table: &Table, name: &str, entries: usize, times: usize) {
     if entries != times && table.has("times") {
         table.complain(name, format!("there are {entries} entries for {times} times"), "give one per time");
     }

@@ -8,7 +8,7 @@ use super::problems::Problem;
 
 /// What a number may be: a limit and whether the limit itself is excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Bounds {
+pub(in crate::scene) struct Bounds {
     pub low: Option<(f64, bool)>,
     pub high: Option<(f64, bool)>,
 }
@@ -34,7 +34,7 @@ impl Bounds {
 
 /// What a key takes, for messages and for the schema.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Kind {
+pub(in crate::scene) enum Kind {
     Number(Bounds),
     Integer(Bounds),
     Flag,
@@ -62,7 +62,7 @@ pub(super) enum Kind {
 
 /// A key that a table can have.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Field {
+pub(in crate::scene) struct Field {
     pub name: &'static str,
     pub doc: &'static str,
     pub kind: Kind,
@@ -72,7 +72,7 @@ pub(super) struct Field {
 
 /// One of the names of [`Kind::Variants`] and its keys.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Variant {
+pub(in crate::scene) struct Variant {
     pub name: &'static str,
     pub doc: &'static str,
     pub fields: Vec<Field>,
@@ -105,7 +105,7 @@ impl Kind {
 }
 
 /// What stands there, in words, for "`x` is …".
-pub(super) fn shown(value: &DeValue) -> String {
+pub(in crate::scene) fn shown(value: &DeValue) -> String {
     match value {
         DeValue::String(text) => format!("the string {text:?}"),
         DeValue::Integer(integer) => integer.to_string(),
@@ -118,7 +118,7 @@ pub(super) fn shown(value: &DeValue) -> String {
 }
 
 /// A type that can be read from one TOML value.
-pub(super) trait Value: Sized {
+pub(in crate::scene) trait Value: Sized {
     fn kind(bounds: Bounds) -> Kind;
     /// `name` is used in messages; `example` is valid TOML that may be written there.
     fn read(name: &str, value: &Spanned<DeValue>, bounds: Bounds, example: &str) -> Result<Self, Problem>;
@@ -270,7 +270,7 @@ impl Value for String {
 
 /// An sRGB colour written `"#RRGGBB"`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Color(pub [u8; 3]);
+pub(in crate::scene) struct Color(pub [u8; 3]);
 
 impl Value for Color {
     fn kind(_: Bounds) -> Kind {

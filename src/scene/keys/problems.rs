@@ -5,18 +5,18 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 /// A mistake before it is known in which file and line it stands.
-pub(super) struct Problem {
+pub(in crate::scene) struct Problem {
     pub span: Range<usize>,
     pub reason: String,
     pub remedy: String,
 }
 
 /// Problems of one kind that are listed; more are counted.
-pub(super) const LISTED: usize = 20;
+pub(in crate::scene) const LISTED: usize = 20;
 
 /// The problems found so far. A file that is no scene at all has as many as lines.
 #[derive(Default)]
-pub(super) struct Problems(RefCell<Found>);
+pub(in crate::scene) struct Problems(RefCell<Found>);
 
 #[derive(Default)]
 struct Found {

@@ -13,7 +13,7 @@ const WELDS: [(&str, Weld); 2] = [("exact", Weld::Exact), ("none", Weld::None)];
 
 /// Boundary loops by number or by what they are.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Boundary {
+pub(in crate::scene) enum Boundary {
     Loops(Vec<usize>),
     Outer,
     Longest,

@@ -14,22 +14,22 @@ use super::spelling::suggestion;
 use super::value::{Bounds, Field, Kind, Value, Variant, shown};
 
 /// A name, what it means, and how the keys beside it are read.
-pub(super) type NamedReader<T> = (&'static str, &'static str, fn(&mut Table) -> T);
+pub(in crate::scene) type NamedReader<T> = (&'static str, &'static str, fn(&mut Table) -> T);
 
-pub(super) struct Table<'a> {
+pub(in crate::scene) struct Table<'a> {
     /// In words, for messages: "[camera]".
     title: String,
     entries: Option<&'a DeTable<'a>>,
     /// Where to point if something is missing.
     place: Range<usize>,
     problems: &'a Problems,
-    pub(super) fields: Vec<Field>,
+    pub(in crate::scene) fields: Vec<Field>,
     /// A misspelt variant: its keys cannot be known.
     any_keys: bool,
 }
 
 impl<'a> Table<'a> {
-    pub(super) fn new(
+    pub(in crate::scene) fn new(
         title: String,
         entries: Option<&'a DeTable<'a>>,
         place: Range<usize>,
@@ -39,12 +39,12 @@ impl<'a> Table<'a> {
     }
 
     /// The table in words: `[camera]`.
-    pub(super) fn title(&self) -> &str {
+    pub(in crate::scene) fn title(&self) -> &str {
         &self.title
     }
 
     /// Whether the file has this key.
-    pub(super) fn has(&self, name: &str) -> bool {
+    pub(in crate::scene) fn has(&self, name: &str) -> bool {
         self.entry(name).is_some()
     }
 
@@ -61,18 +61,18 @@ impl<'a> Table<'a> {
     }
 
     /// Reports that the value of a key, or the table if the key is left out, cannot be.
-    pub(super) fn complain(&self, name: &str, reason: impl Into<String>, remedy: impl Into<String>) {
+    pub(in crate::scene) fn complain(&self, name: &str, reason: impl Into<String>, remedy: impl Into<String>) {
         let span = self.entry(name).map_or(self.place.clone(), |(_, value)| value.span());
         self.report(span, reason.into(), || remedy.into());
     }
 
     /// Whether the table is in the file and has none of the keys.
-    pub(super) fn has_none_of(&self, names: &[&str]) -> bool {
+    pub(in crate::scene) fn has_none_of(&self, names: &[&str]) -> bool {
         self.entries.is_some() && !names.iter().any(|name| self.has(name))
     }
 
     /// Reports keys that exclude each other.
-    pub(super) fn only_one_of(&self, names: &[&str]) {
+    pub(in crate::scene) fn only_one_of(&self, names: &[&str]) {
         let mut given: Vec<_> = names.iter().filter_map(|name| self.entry(name)).map(|(key, _)| key).collect();
         given.sort_by_key(|key| key.span().start);
         if let [first, second, ..] = given.as_slice() {
@@ -90,12 +90,12 @@ impl<'a> Table<'a> {
     }
 
     /// Whether the table is in the file.
-    pub(super) fn is_given(&self) -> bool {
+    pub(in crate::scene) fn is_given(&self) -> bool {
         self.entries.is_some()
     }
 
     /// Reads a table whose keys are up to the file, in the order in which they stand there.
-    pub(super) fn map<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Vec<(String, T)> {
+    pub(in crate::scene) fn map<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Vec<(String, T)> {
         let mut entries = Vec::new();
         if let Some((_, value)) = self.entry(name) {
             match value.get_ref().as_table() {
@@ -125,12 +125,12 @@ impl<'a> Table<'a> {
     }
 
     /// Declares a key; the call is completed by [`Key::or`], [`Key::required`] or [`Key::optional`].
-    pub(super) fn key<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Key<'_, 'a, T> {
+    pub(in crate::scene) fn key<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Key<'_, 'a, T> {
         Key { table: self, name, doc, bounds: Bounds::default(), value: PhantomData }
     }
 
     /// Reads one of several names.
-    pub(super) fn choice<T: Clone>(
+    pub(in crate::scene) fn choice<T: Clone>(
         &mut self,
         name: &'static str,
         doc: &'static str,
@@ -143,7 +143,7 @@ impl<'a> Table<'a> {
     }
 
     /// Reads one of several names, or a list of them.
-    pub(super) fn choices<T: Copy + PartialEq>(
+    pub(in crate::scene) fn choices<T: Copy + PartialEq>(
         &mut self,
         name: &'static str,
         doc: &'static str,
@@ -179,7 +179,12 @@ impl<'a> Table<'a> {
     }
 
     /// Reads a name that decides which other keys this table has.
-    pub(super) fn variants<T>(&mut self, name: &'static str, doc: &'static str, of: &[NamedReader<T>]) -> Option<T> {
+    pub(in crate::scene) fn variants<T>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        of: &[NamedReader<T>],
+    ) -> Option<T> {
         let names: Vec<&'static str> = of.iter().map(|(name, ..)| *name).collect();
         let index = self.name_among(name, &names);
         let variants = of.iter().map(|&(name, doc, read)| Variant { name, doc, fields: declared(read) }).collect();
@@ -203,7 +208,7 @@ impl<'a> Table<'a> {
     }
 
     /// Reads a sub-table; one that is left out has its defaults.
-    pub(super) fn table<T>(&mut self, name: &'static str, doc: &'static str, read: fn(&mut Table) -> T) -> T {
+    pub(in crate::scene) fn table<T>(&mut self, name: &'static str, doc: &'static str, read: fn(&mut Table) -> T) -> T {
         let scratch = Problems::default();
         let read_one = |entries, place, problems| {
             let mut table = Table::new(format!("[{name}]"), entries, place, problems);
@@ -230,7 +235,7 @@ impl<'a> Table<'a> {
     }
 
     /// Reads a sub-table that may be left out.
-    pub(super) fn optional_table<T>(
+    pub(in crate::scene) fn optional_table<T>(
         &mut self,
         name: &'static str,
         doc: &'static str,
@@ -242,14 +247,19 @@ impl<'a> Table<'a> {
     }
 
     /// Reads a list of tables, `[[name]]`.
-    pub(super) fn tables<T>(&mut self, name: &'static str, doc: &'static str, read: fn(&mut Table) -> T) -> Vec<T> {
+    pub(in crate::scene) fn tables<T>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        read: fn(&mut Table) -> T,
+    ) -> Vec<T> {
         let values = self.read_tables(name, read);
         self.declare(name, doc, Kind::Tables(declared(read)));
         values
     }
 
     /// Reads a list of tables of the kind of those in the key `like`, which contains this one.
-    pub(super) fn tables_like<T>(
+    pub(in crate::scene) fn tables_like<T>(
         &mut self,
         name: &'static str,
         like: &'static str,
@@ -291,7 +301,7 @@ impl<'a> Table<'a> {
     }
 
     /// Reports the keys nobody asked for.
-    pub(super) fn finish(&self) {
+    pub(in crate::scene) fn finish(&self) {
         if self.any_keys {
             return;
         }
@@ -308,7 +318,7 @@ impl<'a> Table<'a> {
 }
 
 /// The keys that a reader asks for.
-pub(super) fn declared<T>(read: fn(&mut Table) -> T) -> Vec<Field> {
+pub(in crate::scene) fn declared<T>(read: fn(&mut Table) -> T) -> Vec<Field> {
     let scratch = Problems::default();
     let mut table = Table::new(String::new(), None, 0..0, &scratch);
     read(&mut table);
@@ -317,7 +327,7 @@ pub(super) fn declared<T>(read: fn(&mut Table) -> T) -> Vec<Field> {
 
 /// A key that is being declared.
 #[must_use]
-pub(super) struct Key<'t, 'a, T> {
+pub(in crate::scene) struct Key<'t, 'a, T> {
     table: &'t mut Table<'a>,
     name: &'static str,
     doc: &'static str,
@@ -327,41 +337,41 @@ pub(super) struct Key<'t, 'a, T> {
 
 impl<T: Value> Key<'_, '_, T> {
     /// Numbers greater than this.
-    pub(super) fn above(mut self, low: f64) -> Self {
+    pub(in crate::scene) fn above(mut self, low: f64) -> Self {
         self.bounds.low = Some((low, true));
         self
     }
 
     /// Numbers not less than this.
-    pub(super) fn at_least(mut self, low: f64) -> Self {
+    pub(in crate::scene) fn at_least(mut self, low: f64) -> Self {
         self.bounds.low = Some((low, false));
         self
     }
 
     /// Numbers less than this.
-    pub(super) fn below(mut self, high: f64) -> Self {
+    pub(in crate::scene) fn below(mut self, high: f64) -> Self {
         self.bounds.high = Some((high, true));
         self
     }
 
     /// Numbers not greater than this.
-    pub(super) fn at_most(mut self, high: f64) -> Self {
+    pub(in crate::scene) fn at_most(mut self, high: f64) -> Self {
         self.bounds.high = Some((high, false));
         self
     }
 
     /// The value, or the default if the key is left out.
-    pub(super) fn or(self, default: T) -> T {
+    pub(in crate::scene) fn or(self, default: T) -> T {
         self.read(&default, true, false).unwrap_or(default)
     }
 
     /// The value; a key that is left out is reported, with the example as what to write.
-    pub(super) fn required(self, example: T) -> T {
+    pub(in crate::scene) fn required(self, example: T) -> T {
         self.read(&example, false, true).unwrap_or(example)
     }
 
     /// The value, if there is one; the example is for the message about a wrong one.
-    pub(super) fn optional(self, example: T) -> Option<T> {
+    pub(in crate::scene) fn optional(self, example: T) -> Option<T> {
         self.read(&example, false, false)
     }
 
