@@ -2,7 +2,7 @@
 
 use super::error::{EvolveError, SetupError};
 use super::frame::Frame;
-use super::program::{AskedClass, Program, Start};
+use super::program::{AskedClass, Orientation, Program, Start};
 use super::progress::{Observer, Unobserved};
 use super::relax::Schedule;
 use super::report::FrameReport;
@@ -85,6 +85,12 @@ impl<'a> Immersion<'a> {
     pub fn start_at(mut self, positions: &'a [DVec3]) -> Self {
         self.program.start = Start::at(positions.to_vec());
         self.positions = Some(positions);
+        self
+    }
+
+    /// As this one of two mirror images.
+    pub fn orientation(mut self, orientation: Orientation) -> Self {
+        self.program.orientation = orientation;
         self
     }
 

@@ -17,7 +17,7 @@ pub struct Look {
     pub opacity: [f32; 2],
     /// Opacity where the surface is seen edge-on, 0 to 1.
     pub edge_opacity: f32,
-    /// Runs along the fields of [`Scenery::along`](super::Scenery).
+    /// Runs along the fields of [`Scenery::along`](crate::render::Scenery).
     pub pattern: Option<Pattern>,
     /// The surface is left out where it lies beyond this plane of the world.
     pub cut: Option<Plane>,
@@ -49,7 +49,7 @@ pub struct Look {
 pub enum Paint {
     /// Front (the side the normal points from) and back.
     Sides([Vec3; 2]),
-    /// The field [`Scenery::color`](super::Scenery), from the least to the greatest shown value.
+    /// The field [`Scenery::color`](crate::render::Scenery), from the least to the greatest shown value.
     Map {
         /// The colours.
         map: ColorMap,
