@@ -1,7 +1,6 @@
 //! Connectivity: halfedges, validation and repair, files, generated shapes, and sets of vertices and edges.
 
 mod boundary_loops;
-mod coincident;
 mod component;
 mod connectivity;
 mod error;

@@ -1,6 +1,6 @@
 //! Points that coincide, found by hashing.
 
-use super::union_find::root;
+use crate::mesh::union_find::root;
 use glam::DVec3;
 use std::collections::HashMap;
 

@@ -1,89 +1,39 @@
-//! Seams: boundary edges of a file that lie upon each other because their vertices were doubled.
-//!
-//! Two boundary edges are glued where their ends coincide, their faces then agree in orientation, and do not lie upon each
-//! other; of several at one place, those that have the inside between them. Vertices become one only as ends of glued
-//! edges, so bodies that touch in a vertex or along an edge stay apart, and every vertex keeps a single fan. What would put
-//! a third face to an edge is not glued.
+//! Boundary edges that lie upon each other, and how they are glued.
 
 use super::coincident::{at_equal_positions, coincident};
-use super::faults::orient;
-use super::union_find::root;
+use super::components::Components;
+use crate::mesh::faults::orient;
+use crate::mesh::union_find::root;
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::TAU;
 
-/// Of the diagonal of the box around the mesh: far above the rounding of single precision, far below what can be seen.
-const SMALL: f64 = 1e-5;
-/// And of all but one per cent of the edges.
-const SMALL_OF_EDGES: f64 = 0.05;
 /// Faces that turn back by less than this angle lie upon each other.
 const FLAT: f64 = 1e-4;
 /// How often gluing is taken back around edges that it would spoil, before all of it is.
 const TRIES: usize = 10;
 
-/// What becomes of boundary edges of a file that lie upon each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Weld {
-    /// They stay as they are.
-    None,
-    /// They become one where coordinates are equal.
-    Exact,
-    /// They become one where their ends are no farther apart than this, in the units of the file.
-    Within(f64),
-}
-
 /// Which vertices are one, and what is left.
-pub(super) struct Welded {
+pub(in crate::mesh) struct Welded {
     /// Per vertex: the smallest of those that it is one with.
     pub first: Vec<u32>,
     /// How many pairs of boundary edges were glued.
     pub glued: usize,
-    /// Boundary vertices that lie at the place of another one still, or nearly.
+    /// Boundary vertices that coincide with another one still, or nearly.
     pub coincident: Vec<[u32; 2]>,
     /// How far apart the first of these are.
     pub distance: f64,
-    /// Boundary vertices that lie at the place of one inside, with that.
+    /// Boundary vertices that coincide with one inside, each with that one.
     pub on_inside: Vec<[u32; 2]>,
 }
 
-/// A distance that is nothing on this mesh.
-pub(super) fn small_distance(triangles: &[[u32; 3]], positions: &[DVec3]) -> f64 {
-    let low = positions.iter().fold(DVec3::INFINITY, |low, p| low.min(*p));
-    let high = positions.iter().fold(DVec3::NEG_INFINITY, |high, p| high.max(*p));
-    let at = |v: u32| positions[v as usize];
-    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    let mut lengths: Vec<f64> = sides.map(|[a, b]| at(a).distance(at(b))).filter(|l| *l > 0.0).collect();
-    let rank = lengths.len() / 100;
-    let short = if lengths.is_empty() { 0.0 } else { *lengths.select_nth_unstable_by(rank, f64::total_cmp).1 };
-    (SMALL * low.distance(high)).min(SMALL_OF_EDGES * short)
-}
-
-/// Glues what coincides exactly, and then what does within a tolerance; nothing without one. `None` if the faces are at
-/// fault as they are.
-pub(super) fn weld(triangles: &[[u32; 3]], positions: &[DVec3], tolerance: Option<f64>) -> Option<Welded> {
-    let mut seams = Seams::new(triangles, positions)?;
-    if let Some(tolerance) = tolerance {
-        seams.glue_all(tolerance);
-    }
-    Some(seams.welded(tolerance.unwrap_or(0.0).max(small_distance(triangles, positions))))
-}
-
-/// Glues triangles that have their corners for themselves. `None` where an edge is left that lies upon another one, so that
-/// the triangles are no surfaces that touch.
-pub(super) fn weld_corners(corners: &[DVec3], tolerance: f64) -> Option<Welded> {
-    let triangles: Vec<[u32; 3]> = (0..corners.len() as u32 / 3).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
-    let mut seams = Seams::new(&triangles, corners)?;
-    seams.glue_all(tolerance);
-    (!seams.is_torn(tolerance)).then(|| seams.welded(tolerance))
-}
-
-/// Sides between the same two places, in either direction.
+/// Sides whose ends coincide, in either direction.
 struct Group {
     ups: Vec<usize>,
     downs: Vec<usize>,
 }
 
-struct Seams<'a> {
+pub(super) struct Seams<'a> {
     oriented: Vec<[u32; 3]>,
     positions: &'a [DVec3],
     /// Per side 3 f + k of the faces: whether another face is there in the file.
@@ -94,7 +44,7 @@ struct Seams<'a> {
 }
 
 impl<'a> Seams<'a> {
-    fn new(triangles: &[[u32; 3]], positions: &'a [DVec3]) -> Option<Seams<'a>> {
+    pub fn new(triangles: &[[u32; 3]], positions: &'a [DVec3]) -> Option<Seams<'a>> {
         let orientable = orient(positions.len(), triangles).ok()?;
         let oriented: Vec<[u32; 3]> = triangles
             .iter()
@@ -113,7 +63,7 @@ impl<'a> Seams<'a> {
         Some(Seams { oriented, positions, is_inner, components, glued: Vec::new() })
     }
 
-    fn glue_all(&mut self, tolerance: f64) {
+    pub fn glue_all(&mut self, tolerance: f64) {
         self.glue(0.0);
         if tolerance > 0.0 {
             self.glue(tolerance);
@@ -121,7 +71,7 @@ impl<'a> Seams<'a> {
     }
 
     /// Whether an open side has both ends in common with another side, open or not.
-    fn is_torn(&self, tolerance: f64) -> bool {
+    pub fn is_torn(&self, tolerance: f64) -> bool {
         let open = self.open_sides();
         if open.is_empty() {
             return false;
@@ -148,7 +98,7 @@ impl<'a> Seams<'a> {
         (0..open.len()).filter(|&side| open[side]).collect()
     }
 
-    /// Open sides whose ends lie at the same two places, where there are several; in order of the places.
+    /// Open sides whose ends coincide with those of others, in the order of these ends.
     fn groups(&self, tolerance: f64) -> Vec<Group> {
         let open = self.open_sides();
         let corner_of = self.corners(&open, tolerance);
@@ -279,7 +229,7 @@ impl<'a> Seams<'a> {
         (0..parents.len() as u32).map(|v| root(&mut parents, v)).collect()
     }
 
-    /// Whether two glued sides run from the same place to the same place.
+    /// Whether two glued sides run in the same direction.
     fn same_way(&self, g: usize, h: usize) -> bool {
         let [[a, b], [c, d]] = [self.ends(g), self.ends(h)].map(|ends| ends.map(|v| self.positions[v as usize]));
         a.distance_squared(c) + b.distance_squared(d) < a.distance_squared(d) + b.distance_squared(c)
@@ -316,7 +266,7 @@ impl<'a> Seams<'a> {
         spoilt
     }
 
-    fn welded(self, near: f64) -> Welded {
+    pub fn welded(self, near: f64) -> Welded {
         let first = self.first();
         let open = self.open_sides();
         let corner_of = self.corners(&open, near);
@@ -336,7 +286,7 @@ impl<'a> Seams<'a> {
         }
     }
 
-    /// Vertices of open sides at the place of one that has none, with that.
+    /// Vertices of open sides that coincide with a vertex that is on none, each with that one.
     fn on_inside(&self, open: &[usize], first: &[u32]) -> Vec<[u32; 2]> {
         if open.is_empty() {
             return Vec::new();
@@ -348,46 +298,5 @@ impl<'a> Seams<'a> {
         corners.dedup();
         let (rim, inside): (Vec<u32>, Vec<u32>) = corners.into_iter().partition(|&v| on_boundary[v as usize]);
         at_equal_positions(&rim, &inside, self.positions)
-    }
-}
-
-/// Which faces hang together, and which of them would have to be reversed.
-struct Components {
-    parents: Vec<u32>,
-    /// Whether a face is to be reversed if its parent is not.
-    reversed: Vec<bool>,
-}
-
-impl Components {
-    fn new(faces: usize) -> Components {
-        Components { parents: (0..faces as u32).collect(), reversed: vec![false; faces] }
-    }
-
-    fn root(&mut self, face: usize) -> (usize, bool) {
-        let (mut at, mut turned) = (face, false);
-        while self.parents[at] as usize != at {
-            turned ^= self.reversed[at];
-            at = self.parents[at] as usize;
-        }
-        let (whole, mut at, mut left) = (at, face, turned);
-        while self.parents[at] as usize != at {
-            let (next, own) = (self.parents[at] as usize, self.reversed[at]);
-            (self.parents[at], self.reversed[at]) = (whole as u32, left);
-            left ^= own;
-            at = next;
-        }
-        (whole, turned)
-    }
-
-    /// Joins two faces, one of which is to be reversed if `reverse`; `false` if that contradicts what was joined before.
-    fn join(&mut self, f: usize, g: usize, reverse: bool) -> bool {
-        let ((a, turned_a), (b, turned_b)) = (self.root(f), self.root(g));
-        let wanted = turned_a ^ turned_b ^ reverse;
-        if a == b {
-            return !wanted;
-        }
-        self.parents[a.max(b)] = a.min(b) as u32;
-        self.reversed[a.max(b)] = wanted;
-        true
     }
 }
