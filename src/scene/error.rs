@@ -1,7 +1,7 @@
 //! What can be wrong with a scene file, each mistake with its place, the reason and a remedy.
 
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// One mistake in a scene file.
@@ -9,7 +9,7 @@ use std::sync::Arc;
 #[error("{}:{line}:{column}: {reason}; {remedy}", path.display())]
 pub struct SceneError {
     /// The scene file.
-    pub path: PathBuf,
+    pub path: Arc<Path>,
     /// Line, counted from 1.
     pub line: usize,
     /// Column in characters, counted from 1.

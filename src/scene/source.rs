@@ -67,7 +67,7 @@ impl Source {
     pub(super) fn error(&self, span: Range<usize>, reason: String, remedy: String) -> SceneError {
         let (line, column) = line_and_column(&self.text, span.start);
         SceneError {
-            path: self.path.clone(),
+            path: self.path.as_path().into(),
             line,
             column,
             reason,
