@@ -4,20 +4,20 @@ use super::{HalfedgeId, Mesh};
 use glam::DVec3;
 
 /// Of each component that has a boundary its longest loop, as indices into [`Mesh::boundary_loops`]: by the lengths of
-/// edges between `places`, or where there are none by their number. Of equally long ones the first.
-pub fn longest_loops(mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<usize> {
-    chosen_loops(mesh, places, |_| true)
+/// edges between `positions`, or where there are none by their number. Of equally long ones the first.
+pub fn longest_loops(mesh: &Mesh, positions: Option<&[DVec3]>) -> Vec<usize> {
+    chosen_loops(mesh, positions, |_| true)
 }
 
 /// Of each component that has a boundary the loop around all its others, as indices into [`Mesh::boundary_loops`]: the
-/// one whose box contains theirs. Where there is none, or there are no `places`, the longest.
-pub fn outer_loops(mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<usize> {
-    let Some(places) = places else { return longest_loops(mesh, None) };
+/// one whose box contains theirs. Where there is none, or there are no `positions`, the longest.
+pub fn outer_loops(mesh: &Mesh, positions: Option<&[DVec3]>) -> Vec<usize> {
+    let Some(positions) = positions else { return longest_loops(mesh, None) };
     let boxes: Vec<[DVec3; 2]> = mesh
         .boundary_loops()
         .iter()
         .map(|cycle| {
-            let points = || cycle.iter().map(|&h| places[mesh.tail(h).index()]);
+            let points = || cycle.iter().map(|&h| positions[mesh.tail(h).index()]);
             [points().fold(DVec3::INFINITY, DVec3::min), points().fold(DVec3::NEG_INFINITY, DVec3::max)]
         })
         .collect();
@@ -27,7 +27,7 @@ pub fn outer_loops(mesh: &Mesh, places: Option<&[DVec3]>) -> Vec<usize> {
     };
     let others = loops_of_components(mesh);
     let of = |k: usize| others.iter().find(|of| of.contains(&k)).into_iter().flatten();
-    chosen_loops(mesh, Some(places), |k| of(k).all(|&other| contains(k, other)))
+    chosen_loops(mesh, Some(positions), |k| of(k).all(|&other| contains(k, other)))
 }
 
 /// Boundary loops of each component that has any.
@@ -46,10 +46,11 @@ fn loops_of_components(mesh: &Mesh) -> Vec<Vec<usize>> {
 }
 
 /// The longest loop of each component among those preferred or, if none is, among all.
-fn chosen_loops(mesh: &Mesh, places: Option<&[DVec3]>, preferred: impl Fn(usize) -> bool) -> Vec<usize> {
+fn chosen_loops(mesh: &Mesh, positions: Option<&[DVec3]>, preferred: impl Fn(usize) -> bool) -> Vec<usize> {
     let loops = mesh.boundary_loops();
     let length = |k: usize| -> f64 {
-        let side = |&h: &HalfedgeId| places.map_or(1.0, |p| p[mesh.tail(h).index()].distance(p[mesh.tip(h).index()]));
+        let side =
+            |&h: &HalfedgeId| positions.map_or(1.0, |p| p[mesh.tail(h).index()].distance(p[mesh.tip(h).index()]));
         loops[k].iter().map(side).sum()
     };
     let longest = |of: &[usize]| {

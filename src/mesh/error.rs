@@ -46,7 +46,13 @@ pub enum MeshError {
     #[error("{}:{line}: {reason}; {remedy}", path.display())]
     FileLine { path: PathBuf, line: usize, reason: String, remedy: String },
     #[error(transparent)]
-    Shape(#[from] ShapeError),
+    Shape(Box<ShapeError>),
+}
+
+impl From<ShapeError> for MeshError {
+    fn from(error: ShapeError) -> Self {
+        MeshError::Shape(Box::new(error))
+    }
 }
 
 impl Advice for MeshError {

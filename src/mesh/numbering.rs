@@ -1,5 +1,5 @@
 //! The numbers that a file gives to its vertices and faces. Unused vertices are dropped, doubled ones welded and polygons
-//! cut, so a mesh counts otherwise; scenes, tables and messages mean the file's numbers, counted from 0.
+//! cut, so a mesh counts otherwise. Selections, tables and messages mean the file's numbers, counted from 0.
 
 use super::VertexId;
 
@@ -38,7 +38,8 @@ impl Numbering {
         Numbering { vertices, meant, faces }
     }
 
-    /// Of a part of a mesh, whose vertices and faces are called as given, for messages.
+    /// The numbering of a part of a mesh, whose vertices and faces are called as given. It serves messages only: no number
+    /// means a vertex.
     pub(super) fn of_part(vertices: Vec<u32>, faces: Vec<u32>) -> Numbering {
         Numbering { vertices, meant: Vec::new(), faces }
     }

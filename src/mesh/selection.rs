@@ -1,4 +1,4 @@
-//! Sets of vertices and edges that a scene selects.
+//! Sets of vertices and of edges, described by numbers, loops or regions of space.
 
 use super::boundary_loops::{longest_loops, outer_loops};
 use super::{EdgeId, Mesh, UnknownVertex, VertexId};

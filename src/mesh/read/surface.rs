@@ -56,8 +56,8 @@ impl Soup {
             let name = |v: u32| first.get(v as usize).copied().unwrap_or(v);
             let named: Vec<[u32; 3]> = triangles.iter().map(|face| face.map(name)).collect();
             let repaired = repair_welded(positions.len(), &named, first)?;
-            let places = repaired.input_vertices.iter().map(|&v| positions[v]).collect();
-            Ok((repaired, Some(places)))
+            let kept = repaired.input_vertices.iter().map(|&v| positions[v]).collect();
+            Ok((repaired, Some(kept)))
         };
         match weld(&self.triangles, positions, tolerance) {
             Some(welded) => {
@@ -72,14 +72,14 @@ impl Soup {
                     let apart: Vec<[u32; 3]> =
                         (0..self.triangles.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]).collect();
                     if let Some(welded) = weld_corners(&corners, tolerance) {
-                        let (repaired, places) = finished(&apart, &corners, &welded.first)?;
+                        let (repaired, kept) = finished(&apart, &corners, &welded.first)?;
                         let (before, after) = (positions.len(), repaired.mesh.vertex_count());
                         notes.push(format!(
                             "welded the corners of {} triangles along their edges, so that {before} different points \
                              became {after} vertices and bodies that touch stay apart",
                             self.triangles.len()
                         ));
-                        return Ok((repaired, places));
+                        return Ok((repaired, kept));
                     }
                 }
                 let alone: Vec<u32> = (0..self.vertex_count as u32).collect();

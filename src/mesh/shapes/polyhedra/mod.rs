@@ -18,13 +18,15 @@ pub(super) use subdivide::subdivide;
 
 const SHAPE: &str = "polyhedron";
 
-/// A polyhedron with every edge divided into `subdivisions` parts. Quadrilaterals are cut along a diagonal,
-/// polygons of five or more sides into a fan around the mean of their corners (if that sees all sides, and else into
-/// triangles between corners), and each of these triangles into `subdivisions²` similar ones. Explicit polygons are oriented and compacted by [`repair`].
+/// A polyhedron with every edge divided into `subdivisions` parts.
+///
+/// Quadrilaterals are cut along a diagonal. Polygons of five or more sides are cut into a fan around the mean of their
+/// corners if all sides are seen from there, and otherwise into triangles between corners. Each of these triangles is
+/// cut into `subdivisions²` similar ones. Explicit polygons are oriented and compacted by [`repair`].
 ///
 /// # Errors
-/// [`MeshError::Shape`] for an unknown name, no subdivisions, polygons with fewer than three corners or
-/// unknown ones, or with an outline that crosses itself; what [`repair`] refuses.
+/// [`MeshError::Shape`] for an unknown name, no subdivisions, and polygons with fewer than three corners, with unknown
+/// corners or with an outline that crosses itself. Other errors are those of [`repair`].
 pub fn polyhedron(source: &PolyhedronSource, subdivisions: usize) -> Result<Surface, MeshError> {
     at_least(SHAPE, "subdivisions", subdivisions, LEAST_SUBDIVISIONS)?;
     let (mut corners, polygons) = match source {

@@ -4,8 +4,11 @@ use glam::{DMat3, DVec3};
 
 type Polyhedron = (Vec<DVec3>, Vec<Vec<usize>>);
 
-/// Polyhedra by their names.
-const ALL: [(&str, fn() -> Polyhedron); 7] = [
+/// A name, and how what has it is made.
+type Named = (&'static str, fn() -> Polyhedron);
+
+/// All built-in polyhedra.
+const ALL: [Named; 7] = [
     ("tetrahedron", tetrahedron),
     ("cube", cube),
     ("octahedron", octahedron),
