@@ -1,11 +1,14 @@
 mod compare_readers;
 mod faults;
 mod formats;
+mod limits;
 mod numbering;
 mod polygons;
 mod readers;
 mod repair;
 mod saddle_polyhedron;
+mod scene;
 mod selection;
 mod shapes;
 mod weld;
+mod write;

@@ -4,5 +4,6 @@ mod files;
 mod framing;
 mod looks;
 mod picture;
+mod scene;
 mod text;
 mod transparency;

@@ -1,14 +1,12 @@
 //! What a scene asks of its pictures becomes values of the renderer; what is impossible is shown where the scene says it.
 
-mod support;
-
+use crate::support::scene;
 use glam::DVec3;
 use immerse::{
     movie::{MovieError, Plan},
     render::{Look, LookName, Output, View},
     scene::{Scene, SceneError, build},
 };
-use support::scene;
 
 const BALL: &str = "[mesh]\nshape = 'sphere'\n";
 
