@@ -1,7 +1,6 @@
 //! What can be wrong with edge lengths.
 
-use super::TRIANGLE_MARGIN;
-use super::intrinsic::slack;
+use super::triangle::{TRIANGLE_MARGIN, slack};
 use crate::advice::Advice;
 use crate::mesh::{FaceId, Mesh};
 

@@ -7,6 +7,7 @@ mod intrinsic;
 mod lengths;
 mod program;
 mod ricci_change;
+mod triangle;
 
 pub use change::Change;
 pub use conformal::{
@@ -14,7 +15,8 @@ pub use conformal::{
     Region, RicciFlow, uniformize,
 };
 pub use error::MetricError;
-pub use intrinsic::{Metric, TRIANGLE_MARGIN, largest_strain, lengths_of_positions};
+pub use intrinsic::{Metric, largest_strain, lengths_of_positions};
 pub use lengths::Lengths;
 pub use program::{Interpolation, MetricAt, MetricPart, MetricProgram, NoMetric};
 pub use ricci_change::RicciTarget;
+pub use triangle::TRIANGLE_MARGIN;

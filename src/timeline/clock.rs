@@ -1,6 +1,6 @@
 //! From frame numbers to times.
 
-use super::TimelineError;
+use super::error::TimelineError;
 
 /// When the frames of a film are taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,7 +23,7 @@ impl Clock {
     /// are not finite or the end is not after the start.
     pub fn new(frames: usize, [start, end]: [f64; 2], looping: bool) -> Result<Clock, TimelineError> {
         if !(1..=Clock::MOST_FRAMES).contains(&frames) {
-            return Err(TimelineError::Frames { frames });
+            return Err(TimelineError::Frames { frames, most: Clock::MOST_FRAMES });
         }
         if !(start.is_finite() && end.is_finite() && start < end) {
             return Err(TimelineError::Backwards { start, end });

@@ -1,6 +1,5 @@
 //! What can be wrong with keyframes, formulas and clocks.
 
-use super::Clock;
 use crate::advice::Advice;
 
 /// Why a keyframed number, a formula or a parameter is refused.
@@ -20,7 +19,7 @@ pub enum TimelineError {
     #[error("`{name}` cannot name a parameter, it already means something in formulas; {}", self.remedy())]
     Name { name: String },
     #[error("a film cannot have {frames} frames; {}", self.remedy())]
-    Frames { frames: usize },
+    Frames { frames: usize, most: usize },
     #[error("the clock ends at {end}, not after its start at {start}; {}", self.remedy())]
     Backwards { start: f64, end: f64 },
 }
@@ -34,7 +33,7 @@ impl Advice for TimelineError {
             TimelineError::NothingToRepeat => "give at least two times".into(),
             TimelineError::Formula { known, .. } => format!("it may use {known}"),
             TimelineError::Name { .. } => "choose another name".into(),
-            TimelineError::Frames { .. } => format!("give 1 to {}", Clock::MOST_FRAMES),
+            TimelineError::Frames { most, .. } => format!("give 1 to {most}"),
             TimelineError::Backwards { .. } => "make the end greater than the start".into(),
         }
     }

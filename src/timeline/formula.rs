@@ -1,8 +1,9 @@
-//! Expressions in variables of their place, time and the parameters of the scene.
+//! Formulas in variables of their place, time and named parameters, which may be formulas themselves.
 
-use super::operators::Operators;
-use super::{Parameters, TimelineError};
-use exmex::{Express, FlatEx, MatchLiteral};
+use super::error::TimelineError;
+use super::expression::{Expression, parse};
+use super::keyframes::Keyframes;
+use exmex::Express;
 use std::sync::Arc;
 
 /// A formula that is known to use nothing but its own variables, `t` and parameters.
@@ -10,7 +11,7 @@ use std::sync::Arc;
 pub struct Formula {
     text: String,
     /// Boxed, for it is large.
-    expression: Box<FlatEx<f64, Operators, Decimal>>,
+    expression: Box<Expression>,
     /// Per variable of the expression: which of own variables, then `t`, then parameters it is.
     slots: Vec<usize>,
     own: usize,
@@ -31,7 +32,7 @@ impl Formula {
             reason,
             known: format!("{} and the usual functions", known.join(", ")),
         };
-        let expression = FlatEx::parse(&with_loose_signs(&text)).map_err(|error| fail(error.to_string()))?;
+        let expression = parse(&text).map_err(&fail)?;
         let slot = |name: &String| {
             known.iter().position(|known| known == name).ok_or_else(|| fail(format!("there is no `{name}`")))
         };
@@ -64,47 +65,6 @@ impl Formula {
     }
 }
 
-/// The parser binds signs closest of all. They are to bind like products, so that `-x^2` is `-(x^2)`; only behind `/`
-/// and `^` they stay.
-fn with_loose_signs(text: &str) -> String {
-    let mut loose = String::with_capacity(text.len());
-    let mut before = '(';
-    for c in text.chars() {
-        loose.push(c);
-        if c == '-' && matches!(before, '(' | ',' | '+' | '-' | '*') {
-            loose.push_str("1*");
-        }
-        if c != ' ' {
-            before = c;
-        }
-    }
-    loose
-}
-
-/// Numbers as in TOML: `2`, `0.5`, `1e-3`.
-#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-struct Decimal;
-
-impl MatchLiteral for Decimal {
-    fn is_literal(text: &str) -> Option<&str> {
-        let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
-        let whole = digits(0);
-        let fraction = if text[whole..].starts_with('.') { 1 + digits(whole + 1) } else { 0 };
-        if whole == 0 && fraction < 2 {
-            return None;
-        }
-        let mut end = whole + fraction;
-        if text[end..].starts_with(['e', 'E']) {
-            let sign = usize::from(text[end + 1..].starts_with(['+', '-']));
-            match digits(end + 1 + sign) {
-                0 => {}
-                exponent => end += 1 + sign + exponent,
-            }
-        }
-        Some(&text[..end])
-    }
-}
-
 /// A formula at one time.
 #[derive(Clone, Debug)]
 pub struct FormulaAt<'a> {
@@ -122,3 +82,77 @@ impl FormulaAt<'_> {
         self.formula.expression.eval(&values).unwrap_or(f64::NAN)
     }
 }
+
+/// A number that may change with time.
+#[derive(Clone, Debug)]
+pub enum Number {
+    /// The same at all times.
+    Constant(f64),
+    /// Given at some times.
+    Keyframes(Keyframes<f64>),
+    /// By a formula in `t` and parameters.
+    Formula(Formula),
+}
+
+impl Number {
+    /// Its value at a time.
+    pub fn at(&self, time: f64) -> f64 {
+        match self {
+            Number::Constant(value) => *value,
+            Number::Keyframes(keyframes) => keyframes.at(time),
+            Number::Formula(formula) => formula.at(time).value(&[]),
+        }
+    }
+
+    /// Whether it can depend on time.
+    pub fn changes(&self) -> bool {
+        match self {
+            Number::Constant(_) => false,
+            Number::Keyframes(keyframes) => keyframes.values().array_windows().any(|[a, b]| a != b),
+            Number::Formula(formula) => formula.changes(),
+        }
+    }
+}
+
+/// Named numbers. A formula among them may use those before it.
+#[derive(Clone, Debug, Default)]
+pub struct Parameters {
+    named: Vec<(String, Number)>,
+}
+
+impl Parameters {
+    /// With one more, which may use those that are there.
+    ///
+    /// # Errors
+    /// [`TimelineError::Name`] if the name means something in formulas already, or is none.
+    pub fn with(&self, name: &str, number: Number) -> Result<Parameters, TimelineError> {
+        let is_name = name.starts_with(|c: char| c.is_ascii_alphabetic())
+            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+        // What does not parse as a variable of its own is a function, an operator or a constant.
+        let is_free = Formula::parse(name, &[name], &Arc::default()).is_ok_and(|formula| formula.uses(0));
+        if !is_name || !is_free || RESERVED.contains(&name) || self.names().any(|known| known == name) {
+            return Err(TimelineError::Name { name: name.to_owned() });
+        }
+        let mut named = self.named.clone();
+        named.push((name.to_owned(), number));
+        Ok(Parameters { named })
+    }
+
+    /// Their names, in order.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.named.iter().map(|(name, _)| name.as_str())
+    }
+
+    /// Their values at a time, in order.
+    pub fn at(&self, time: f64) -> impl Iterator<Item = f64> {
+        self.named.iter().map(move |(_, number)| number.at(time))
+    }
+
+    /// Whether the parameter of this index can depend on time.
+    pub fn changes(&self, index: usize) -> bool {
+        self.named.get(index).is_some_and(|(_, number)| number.changes())
+    }
+}
+
+/// Variables of formulas in one place or another, and what looks like a constant.
+const RESERVED: [&str; 9] = ["t", "x", "y", "z", "dx", "dy", "dz", "length", "pi"];

@@ -1,6 +1,6 @@
 //! Values at given times, and between them.
 
-use super::TimelineError;
+use super::error::TimelineError;
 use std::ops::{Add, Mul, Sub};
 
 /// How a keyframed value passes from one keyframe to the next.

@@ -2,15 +2,14 @@
 
 mod clock;
 mod error;
+mod expression;
 mod formula;
 mod keyframes;
 mod operators;
-mod parameters;
 mod point_formula;
 
 pub use clock::Clock;
 pub use error::TimelineError;
-pub use formula::{Formula, FormulaAt};
+pub use formula::{Formula, FormulaAt, Number, Parameters};
 pub use keyframes::{Ease, Extrapolation, Keyframes, eased};
-pub use parameters::{Number, Parameters};
 pub use point_formula::{PointFormula, PointFormulaAt};

@@ -1,6 +1,7 @@
 //! Points moved by formulas, one for each coordinate.
 
-use super::{Formula, FormulaAt, Parameters, TimelineError};
+use super::error::TimelineError;
+use super::formula::{Formula, FormulaAt, Parameters};
 use glam::DVec3;
 use std::sync::Arc;
 

@@ -4,6 +4,7 @@ mod acceleration;
 mod algorithm;
 mod control;
 mod cursor;
+mod draws;
 mod mirror_image;
 mod phase;
 mod relaxation;

@@ -1,8 +1,8 @@
 //! One connected component that is relaxed as if it were alone.
 
 use super::cursor::Cursor;
+use super::draws::Draws;
 use super::phase::{Phase, Schedule};
-use super::restart::Draws;
 use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::{EvolveError, SetupError};
 use crate::evolve::frame::Frame;

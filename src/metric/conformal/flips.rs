@@ -2,7 +2,7 @@
 
 use super::triangulation::Triangulation;
 use crate::metric::MetricError;
-use crate::metric::intrinsic::angles;
+use crate::metric::triangle::angles;
 use std::f64::consts::PI;
 
 /// How far an edge must be from Delaunay, as a sum of two cosines, to be flipped.

@@ -2,7 +2,7 @@
 
 use crate::mesh::Mesh;
 use crate::metric::MetricError;
-use crate::metric::intrinsic::{TRIANGLE_MARGIN, angles, area, slack};
+use crate::metric::triangle::{TRIANGLE_MARGIN, angles, area, slack};
 use std::f64::consts::{PI, TAU};
 
 /// Faces and reference lengths `ℓ`, to be scaled to `ℓ̃_ij = ℓ_ij exp((u_i + u_j)/2)`.
