@@ -105,7 +105,7 @@ fn corners_that_are_no_numbers_of_vertices() {
             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
              element face 1\nproperty list uchar double vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 {number}\n"
         );
-        refused("a.ply", ply, "a.ply:14: face 0 names vertex");
+        refused("a.ply", ply, "a.ply:13: face 0 names vertex");
         let reason = if number == "4294967295" { "names vertex 4294967295" } else { "is not a number from 0" };
         refused("a.off", format!("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 {number}\n"), reason);
     }
