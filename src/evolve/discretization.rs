@@ -1,11 +1,20 @@
 //! What a metric and a class determine: the shell, the Poisson problem and the periods.
 
 use crate::algebra::CholeskyError;
-use crate::frames::Shell;
+use crate::frames::{Shell, ShellError};
 use crate::immersion::{Periods, Poisson};
 use crate::mesh::{Mesh, VertexId};
 use crate::metric::Metric;
 use crate::spin::{Homology, SpinStructure};
+
+/// Why there is none.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub(super) enum DiscretizationError {
+    #[error(transparent)]
+    Shell(#[from] ShellError),
+    #[error(transparent)]
+    Poisson(#[from] CholeskyError),
+}
 
 /// Made anew whenever the lengths change.
 #[derive(Debug)]
@@ -25,15 +34,15 @@ impl Discretization {
         bending_angles: Option<&[f64]>,
         pinned: &[VertexId],
         beside: impl FnOnce(&Shell) -> R + Send,
-    ) -> Result<(Discretization, R), CholeskyError> {
+    ) -> Result<(Discretization, R), DiscretizationError> {
         // A factorization keeps but one processor busy.
         let shell = || {
-            let shell = Shell::new(mesh, metric, spin, bending_angles);
+            let shell = Shell::new(mesh, metric, spin, bending_angles)?;
             let beside = beside(&shell);
-            (shell, beside)
+            Ok::<_, ShellError>((shell, beside))
         };
-        let ((shell, beside), poisson) = rayon::join(shell, || Poisson::new(mesh, metric, pinned));
-        let poisson = poisson?;
+        let (shell, poisson) = rayon::join(shell, || Poisson::new(mesh, metric, pinned));
+        let ((shell, beside), poisson) = (shell?, poisson?);
         // Periods are those of the surface without its pins.
         let separate = !pinned.is_empty() && homology.betti() > 0;
         let free = if separate { Some(Poisson::new(mesh, metric, &[])?) } else { None };

@@ -1,8 +1,10 @@
 //! Why a simulation cannot start, go on after a frame, or ends early.
 
+use super::discretization::DiscretizationError;
 use super::frame::UnfitFrame;
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
+use crate::frames::ShellError;
 use crate::immersion::{BendingError, PinError};
 use crate::metric::NoMetric;
 use crate::spin::{Class, SpinError};
@@ -33,9 +35,21 @@ pub enum SetupError {
         /// Number of vertices.
         vertices: usize,
     },
+    /// Target bending angles of another mesh.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
     /// The Poisson problem.
     #[error("{}; {}", .0, self.remedy())]
     Poisson(#[from] CholeskyError),
+}
+
+impl From<DiscretizationError> for SetupError {
+    fn from(error: DiscretizationError) -> SetupError {
+        match error {
+            DiscretizationError::Shell(error) => error.into(),
+            DiscretizationError::Poisson(error) => error.into(),
+        }
+    }
 }
 
 impl Advice for SetupError {
@@ -46,6 +60,7 @@ impl Advice for SetupError {
             SetupError::Pin(error) => error.remedy(),
             SetupError::Bending(error) => error.remedy(),
             SetupError::StartCount { .. } => "give one position per vertex".into(),
+            SetupError::Shell(error) => error.remedy(),
             SetupError::Poisson(_) => EVEN_OUT.into(),
         }
     }
@@ -123,6 +138,9 @@ pub enum EvolveError {
     /// There are no target bending angles.
     #[error(transparent)]
     Bending(#[from] BendingError),
+    /// Target bending angles of another mesh.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
     /// The Poisson problem.
     #[error("at time {time}: {error}; {}", self.remedy())]
     Poisson {
@@ -151,6 +169,16 @@ pub enum EvolveError {
     },
 }
 
+impl EvolveError {
+    /// At a time.
+    pub(super) fn of_discretization(time: f64) -> impl FnOnce(DiscretizationError) -> EvolveError {
+        move |error| match error {
+            DiscretizationError::Shell(error) => error.into(),
+            DiscretizationError::Poisson(error) => EvolveError::Poisson { time, error },
+        }
+    }
+}
+
 impl Advice for EvolveError {
     fn remedy(&self) -> String {
         match self {
@@ -160,6 +188,7 @@ impl Advice for EvolveError {
             EvolveError::Metric(error) => error.remedy(),
             EvolveError::Pin(error) => error.remedy(),
             EvolveError::Bending(error) => error.remedy(),
+            EvolveError::Shell(error) => error.remedy(),
             EvolveError::Poisson { .. } => EVEN_OUT.into(),
             EvolveError::StarChanged { .. } => "lower `max_strain` of the clock, or use better triangles there".into(),
             EvolveError::ClassChanged { .. } => "lower `max_strain` of the clock, or use better triangles".into(),

@@ -221,7 +221,7 @@ impl State {
         let pinned: Vec<VertexId> = pins.iter().map(|(v, _)| *v).collect();
         (self.discretization, ()) =
             Discretization::new(&component.mesh, metric, spin, homology, angles.as_deref(), &pinned, |_| ())
-                .map_err(|error| EvolveError::Poisson { time: self.time, error })?;
+                .map_err(EvolveError::of_discretization(self.time))?;
         Ok(())
     }
 

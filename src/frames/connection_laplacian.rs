@@ -22,7 +22,7 @@ pub struct ConnectionLaplacian {
 impl ConnectionLaplacian {
     /// Whether the transports of a shell are complex: not where it has target bending angles.
     pub fn suits(shell: &Shell) -> bool {
-        shell.hinges.iter().all(|hinge| hinge.transport == hinge.spin.quaternion())
+        shell.hinges().iter().all(|hinge| hinge.transport == hinge.spin.quaternion())
     }
 
     /// `dt` in units of length squared.
@@ -30,9 +30,9 @@ impl ConnectionLaplacian {
     /// # Errors
     /// [`CholeskyError`] if the weights are so uneven that the factorization breaks down.
     pub fn new(shell: &Shell, dt: f64) -> Result<ConnectionLaplacian, CholeskyError> {
-        let faces = shell.face_areas.iter().enumerate();
+        let faces = shell.face_areas().iter().enumerate();
         let mut lower: Vec<(usize, usize, c64)> = faces.map(|(f, area)| (f, f, c64::new(*area, 0.0))).collect();
-        for hinge in &shell.hinges {
+        for hinge in shell.hinges() {
             let (i, j) = (hinge.i.index(), hinge.j.index());
             let w = dt * hinge.weight;
             lower.extend([(i, i, c64::new(w, 0.0)), (j, j, c64::new(w, 0.0))]);
@@ -42,8 +42,8 @@ impl ConnectionLaplacian {
         }
         Ok(ConnectionLaplacian {
             dt,
-            face_areas: shell.face_areas.clone(),
-            hinges: shell.hinges.iter().map(|hinge| (hinge.weight, hinge.spin)).collect(),
+            face_areas: shell.face_areas().to_vec(),
+            hinges: shell.hinges().iter().map(|hinge| (hinge.weight, hinge.spin)).collect(),
             factor: SparseCholesky::new(shell.face_count(), &lower)?,
         })
     }
@@ -51,8 +51,8 @@ impl ConnectionLaplacian {
     /// Whether this is the matrix of the shell as it is now, and of that `dt`.
     pub fn is_of(&self, shell: &Shell, dt: f64) -> bool {
         self.dt == dt
-            && self.face_areas == shell.face_areas
-            && self.hinges.iter().zip(&shell.hinges).all(|(known, hinge)| *known == (hinge.weight, hinge.spin))
+            && self.face_areas == shell.face_areas()
+            && self.hinges.iter().zip(shell.hinges()).all(|(known, hinge)| *known == (hinge.weight, hinge.spin))
     }
 
     /// `(M + Δt L)⁻¹ M λ`, made unit in every face.

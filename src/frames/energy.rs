@@ -57,7 +57,7 @@ pub fn hinge_energies(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> 
         let terms = axes(hinge).map(|u| strain.along(u).powi(2));
         0.5 * hinge.weight * (0..4).map(|k| stiffness[k] * terms[k]).sum::<f64>()
     };
-    shell.hinges.par_iter().with_min_len(256).map(of_hinge).collect()
+    shell.hinges().par_iter().with_min_len(256).map(of_hinge).collect()
 }
 
 /// How far a crease is beyond [`crate::tuning::CREASE_ANGLE`], as a bending strain with sign; 0 if it is not.
@@ -80,7 +80,7 @@ pub fn crease_energy(shell: &Shell, crease: f64, frames: &[DQuat]) -> f64 {
     let of_hinge = |hinge: &Hinge| {
         0.5 * hinge.weight * crease * overfold(hinge, &Strain::new(hinge, hinge.spin.quaternion(), frames)).powi(2)
     };
-    shell.hinges.iter().map(of_hinge).sum()
+    shell.hinges().iter().map(of_hinge).sum()
 }
 
 /// Bending ζ, rotation η and torsion σ of every hinge (Sec. 5.2.1), in hinge order.
@@ -90,7 +90,7 @@ pub fn strains(shell: &Shell, frames: &[DQuat]) -> Vec<[f64; 3]> {
         let [_, bending, rotation, torsion] = axes(hinge).map(|u| strain.along(u));
         [bending, rotation, torsion]
     };
-    shell.hinges.par_iter().with_min_len(256).map(of_hinge).collect()
+    shell.hinges().par_iter().with_min_len(256).map(of_hinge).collect()
 }
 
 /// A gradient in ℝ⁴ per face, in two parts.
@@ -130,7 +130,7 @@ impl Gradient {
 /// Gradient of [`energy`] (App. D).
 pub fn gradient(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> Gradient {
     let mut sum = Gradient::zero(frames.len());
-    for hinge in &shell.hinges {
+    for hinge in shell.hinges() {
         let strain = Strain::new(hinge, hinge.transport, frames);
         for (axis, epsilon) in axes(hinge).into_iter().zip(stiffness) {
             sum.add(hinge, &strain, axis, hinge.weight * epsilon * strain.along(axis));
@@ -142,7 +142,7 @@ pub fn gradient(shell: &Shell, stiffness: Stiffness, frames: &[DQuat]) -> Gradie
 /// Gradient of [`crease_energy`].
 pub fn crease_gradient(shell: &Shell, crease: f64, frames: &[DQuat]) -> Gradient {
     let mut sum = Gradient::zero(frames.len());
-    for hinge in &shell.hinges {
+    for hinge in shell.hinges() {
         let strain = Strain::new(hinge, hinge.spin.quaternion(), frames);
         sum.add(hinge, &strain, axes(hinge)[1], hinge.weight * crease * overfold(hinge, &strain));
     }

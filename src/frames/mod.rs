@@ -11,6 +11,6 @@ mod system;
 pub use connection_laplacian::ConnectionLaplacian;
 pub use energy::{Gradient, Stiffness, crease_energy, crease_gradient, energy, gradient, hinge_energies, strains};
 pub use random_frames::random_frames;
-pub use shell::{Hinge, Shell};
+pub use shell::{Hinge, Shell, ShellError};
 pub use spectral_frames::spectral_frames;
 pub use step::{Method, StepOptions, Stepper};

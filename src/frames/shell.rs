@@ -1,5 +1,6 @@
 //! The thin shell: faces with mass, joined by hinges.
 
+use crate::advice::Advice;
 use crate::algebra::{Complex, quaternion};
 use crate::mesh::{EdgeId, FaceId, Mesh};
 use crate::metric::Metric;
@@ -34,22 +35,54 @@ impl Hinge {
     }
 }
 
+/// Something that is not of the mesh that it is said to be of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there are {found} {what} for the {edges} edges of the mesh; {}", self.remedy())]
+pub struct ShellError {
+    /// What there is one of per edge.
+    pub what: &'static str,
+    /// How many there are.
+    pub found: usize,
+    /// How many there must be.
+    pub edges: usize,
+}
+
+impl Advice for ShellError {
+    fn remedy(&self) -> String {
+        "take all of them from the same mesh".into()
+    }
+}
+
 /// All that the evolution of frames depends on besides the frames themselves.
 #[derive(Clone, Debug)]
 pub struct Shell {
-    /// One hinge per interior edge, in edge order.
-    pub hinges: Vec<Hinge>,
-    /// Areas of the faces, the mass matrix M (Eq. 40).
-    pub face_areas: Vec<f64>,
-    /// Per face: its up to three hinges in halfedge order, and whether the face is side `i` of it.
-    pub face_hinges: Vec<[Option<(u32, bool)>; 3]>,
+    hinges: Vec<Hinge>,
+    face_areas: Vec<f64>,
+    face_hinges: Vec<[Option<(u32, bool)>; 3]>,
     mean_face_area: f64,
 }
 
 impl Shell {
     /// Joins metric and spin structure; `bending_angles` are the targets α̂ in radians, one per edge
     /// (boundary entries are ignored), or `None` for a shell that is flat at rest.
-    pub fn new(mesh: &Mesh, metric: &Metric, spin: &SpinStructure, bending_angles: Option<&[f64]>) -> Shell {
+    ///
+    /// # Errors
+    /// [`ShellError`] if one of them belongs to a mesh with another number of edges.
+    pub fn new(
+        mesh: &Mesh,
+        metric: &Metric,
+        spin: &SpinStructure,
+        bending_angles: Option<&[f64]>,
+    ) -> Result<Shell, ShellError> {
+        let edges = mesh.edge_count();
+        let counts = [
+            ("edge lengths", metric.edge_lengths().len()),
+            ("transports", spin.transports().len()),
+            ("target bending angles", bending_angles.map_or(edges, <[f64]>::len)),
+        ];
+        if let Some((what, found)) = counts.into_iter().find(|(_, found)| *found != edges) {
+            return Err(ShellError { what, found, edges });
+        }
         let mut face_hinges = vec![[None; 3]; mesh.face_count()];
         let mut hinges = Vec::with_capacity(mesh.edge_count());
         for e in mesh.edges() {
@@ -78,7 +111,22 @@ impl Shell {
             });
         }
         let mean_face_area = metric.mean_face_area();
-        Shell { hinges, face_areas: metric.face_areas().to_vec(), face_hinges, mean_face_area }
+        Ok(Shell { hinges, face_areas: metric.face_areas().to_vec(), face_hinges, mean_face_area })
+    }
+
+    /// One hinge per interior edge, in edge order.
+    pub fn hinges(&self) -> &[Hinge] {
+        &self.hinges
+    }
+
+    /// Areas of the faces, |F|: the mass matrix M (Eq. 40).
+    pub fn face_areas(&self) -> &[f64] {
+        &self.face_areas
+    }
+
+    /// Per face its up to three hinges in halfedge order, and whether the face is side `i` of it.
+    pub fn face_hinges(&self) -> &[[Option<(u32, bool)>; 3]] {
+        &self.face_hinges
     }
 
     /// Number of faces.

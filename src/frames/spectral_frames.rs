@@ -25,15 +25,15 @@ pub fn spectral_frames(shell: &Shell) -> Vec<DQuat> {
     factor.factorize(&pattern, &system.matrix);
     let mut solver = ConjugateGradient::default();
     let (mut weighted, mut solution) = (BlockVector::default(), BlockVector::default());
-    let is_complex = shell.hinges.iter().all(|hinge| hinge.transport == hinge.spin.quaternion());
+    let is_complex = shell.hinges().iter().all(|hinge| hinge.transport == hinge.spin.quaternion());
     let mut mode: Vec<DVec4> = random_frames(shell.face_count(), 0).into_iter().map(DVec4::from).collect();
     for _ in 0..INVERSE_STEPS {
-        weighted.set(&pattern, |face| mode[face] * shell.face_areas[face]);
+        weighted.set(&pattern, |face| mode[face] * shell.face_areas()[face]);
         // From zero, not from the mode: the residual of the mode is larger than the right side by far.
         solver.solve(&pattern, &system.matrix, &factor, &weighted, &mut solution, 1e-8, 5000);
         let mut next: Vec<DVec4> = (0..mode.len()).map(|face| solution.at(&pattern, face)).collect();
         if is_complex {
-            separate(&mut next, &shell.face_areas);
+            separate(&mut next, shell.face_areas());
         }
         let norm = (next.iter().map(|x| x.length_squared()).sum::<f64>() / next.len() as f64).sqrt();
         next.iter_mut().for_each(|x| *x /= norm);
@@ -57,7 +57,7 @@ pub fn spectral_frames(shell: &Shell) -> Vec<DQuat> {
 fn turn_torsion_into_bending(shell: &Shell, frames: &mut [DQuat]) {
     let weighted: Vec<(f64, Complex)> = strains(shell, frames)
         .into_iter()
-        .zip(&shell.hinges)
+        .zip(shell.hinges())
         .map(|([bending, _, torsion], hinge)| (hinge.weight, Complex { re: bending, im: torsion }))
         .collect();
     let sum = |value: &dyn Fn(Complex) -> f64| weighted.iter().map(|(w, strain)| w * value(*strain)).sum::<f64>();

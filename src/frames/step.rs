@@ -96,7 +96,7 @@ impl Stepper {
         let mut lengths = None;
         if options.method == Method::Gradient {
             let g = gradient(shell, options.stiffness, frames).curved;
-            for ((frame, g), area) in frames.iter_mut().zip(&g).zip(&shell.face_areas) {
+            for ((frame, g), area) in frames.iter_mut().zip(&g).zip(shell.face_areas()) {
                 *frame -= *g * (dt / area); // forward Euler for M λ' = −g
             }
             lengths = Some(frames.iter().map(|q| q.length()).collect::<Vec<f64>>());

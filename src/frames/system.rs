@@ -46,16 +46,16 @@ struct Ends {
 
 /// The sparsity pattern of all systems on a shell.
 pub fn pattern(shell: &Shell) -> BlockPattern {
-    BlockPattern::new(shell.face_count(), shell.hinges.iter().map(|h| (h.i.index(), h.j.index())))
+    BlockPattern::new(shell.face_count(), shell.hinges().iter().map(|h| (h.i.index(), h.j.index())))
 }
 
 impl<B: Block> System<B> {
     /// Assembles the system.
     pub fn assemble(&mut self, pattern: &BlockPattern, state: &State) {
         let mass =
-            |face: usize| (B::round(DMat4::from_diagonal(DVec4::splat(state.shell.face_areas[face]))), DVec4::ZERO);
+            |face: usize| (B::round(DMat4::from_diagonal(DVec4::splat(state.shell.face_areas()[face]))), DVec4::ZERO);
         let load = |hinge: usize| {
-            let hinge = state.shell.hinges[hinge];
+            let hinge = state.shell.hinges()[hinge];
             let of_faces = |values: &[f64]| [hinge.i, hinge.j].map(|face| values[face.index()]);
             Ends {
                 hinge,

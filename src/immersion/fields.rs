@@ -1,8 +1,9 @@
 //! Quantities of a frame that can be seen: errors, curvatures, energies.
 
 use super::{ConformalFactor, bending_angles, gaussian_curvatures, length_errors, mean_curvatures};
+use crate::advice::Advice;
 use crate::algebra::CholeskyError;
-use crate::frames::{Shell, Stiffness, hinge_energies};
+use crate::frames::{Shell, ShellError, Stiffness, hinge_energies};
 use crate::mesh::{EdgeId, FaceId, Mesh};
 use crate::metric::Metric;
 use crate::spin::{Homology, SpinStructure};
@@ -65,6 +66,26 @@ impl FieldValues {
     }
 }
 
+/// Why a field cannot be computed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum FieldError {
+    /// The conformal factor.
+    #[error("{}; {}", .0, self.remedy())]
+    ConformalFactor(#[from] CholeskyError),
+    /// The frame.
+    #[error(transparent)]
+    Shell(#[from] ShellError),
+}
+
+impl Advice for FieldError {
+    fn remedy(&self) -> String {
+        match self {
+            FieldError::ConformalFactor(_) => "show another field, or free memory".into(),
+            FieldError::Shell(error) => error.remedy(),
+        }
+    }
+}
+
 /// The frame of a film whose fields are wanted.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldInput<'a> {
@@ -106,8 +127,8 @@ impl Fields {
     /// - generators: per face, the number from 1 of the strip through it, the lowest of several, or 0.
     ///
     /// # Errors
-    /// [`CholeskyError`] if the memory does not suffice for a conformal factor.
-    pub fn of(&self, name: FieldName, frame: &FieldInput) -> Result<FieldValues, CholeskyError> {
+    /// [`FieldError`] if the memory does not suffice for a conformal factor, or the frame is not of the mesh.
+    pub fn of(&self, name: FieldName, frame: &FieldInput) -> Result<FieldValues, FieldError> {
         let FieldInput { metric, positions, frames, spin } = *frame;
         let mesh = self.mesh.as_ref();
         Ok(match name {
@@ -123,10 +144,10 @@ impl Fields {
                 per_vertex(&scale.map_err(Clone::clone)?.of(mesh, metric.edge_lengths()))
             }
             FieldName::EnergyDensity => {
-                let shell = Shell::new(mesh, metric, spin, None);
+                let shell = Shell::new(mesh, metric, spin, None)?;
                 let energies = hinge_energies(&shell, self.stiffness, frames);
                 self.per_face(|f| {
-                    let hinges = shell.face_hinges[f.index()].iter().flatten();
+                    let hinges = shell.face_hinges()[f.index()].iter().flatten();
                     0.5 * hinges.map(|&(hinge, _)| energies[hinge as usize]).sum::<f64>() / metric.area(f)
                 })
             }

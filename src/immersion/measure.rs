@@ -55,7 +55,7 @@ fn root_mean_square(values: &[f64]) -> f64 {
 
 /// Edges with rim bit 1 (Def. 4.1): frames in opposite hemispheres after transport.
 pub fn rims(shell: &Shell, frames: &[DQuat]) -> Vec<EdgeId> {
-    let hinges = shell.hinges.par_iter().with_min_len(TASK);
+    let hinges = shell.hinges().par_iter().with_min_len(TASK);
     hinges.filter(|hinge| hinge.is_rim(frames)).map(|hinge| hinge.edge).collect()
 }
 
@@ -128,7 +128,7 @@ pub fn mean_turn(shell: &Shell, before: &[DQuat], after: &[DQuat]) -> f64 {
     // |λ' − λ| = 2 sin(α/4), since quaternions turn by half the angle.
     let turn = |(a, b): (&DQuat, &DQuat)| 4.0 * libm::asin((0.5 * (*b - *a).length()).min(1.0));
     let turns: Vec<f64> = before.par_iter().with_min_len(TASK).zip(after).map(turn).collect();
-    let total = inner_product(&turns, &shell.face_areas, |turn, area| turn * area);
+    let total = inner_product(&turns, shell.face_areas(), |turn, area| turn * area);
     total / (shell.mean_face_area() * shell.face_count() as f64)
 }
 

@@ -24,7 +24,7 @@ pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::edge_vectors;
-pub use fields::{FieldInput, FieldName, FieldValues, Fields};
+pub use fields::{FieldError, FieldInput, FieldName, FieldValues, Fields};
 pub use measure::{
     LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn,
     pinch_points, rims,

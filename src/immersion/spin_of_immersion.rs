@@ -44,8 +44,8 @@ pub fn rimless_frames(mesh: &Mesh, metric: &Metric, shell: &Shell, positions: &[
         }
         let mut queue = VecDeque::from([root]);
         while let Some(f) = queue.pop_front() {
-            for &(index, is_i) in shell.face_hinges[f].iter().flatten() {
-                let hinge = &shell.hinges[index as usize];
+            for &(index, is_i) in shell.face_hinges()[f].iter().flatten() {
+                let hinge = shell.hinges()[index as usize];
                 let g = if is_i { hinge.j.index() } else { hinge.i.index() };
                 if std::mem::replace(&mut seen[g], true) {
                     continue;

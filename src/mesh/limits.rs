@@ -3,8 +3,9 @@
 
 use super::MeshError;
 
-/// The most faces of a mesh. Its halfedges, three a face, are numbered as well, and one number stands for "none".
-pub const MOST_FACES: usize = u32::MAX as usize / 3 - 1;
+/// The most faces of a mesh. Its halfedges, three a face, are numbered as well, and so are both ends of all edges, of which
+/// there may be as many; one number stands for "none".
+pub const MOST_FACES: usize = u32::MAX as usize / 6 - 1;
 
 /// The most vertices of a mesh.
 pub const MOST_VERTICES: usize = u32::MAX as usize - 1;

@@ -65,7 +65,7 @@ impl Relaxation {
 /// that a face of mean area Ā moves by `amount`.
 fn blend(shell: &Shell, frames: &mut [DQuat], target: &[DQuat], amount: f64) {
     let rate = libm::log(1.0 - amount) * shell.mean_face_area();
-    let faces = frames.par_iter_mut().with_min_len(1024).zip(target).zip(&shell.face_areas);
+    let faces = frames.par_iter_mut().with_min_len(1024).zip(target).zip(shell.face_areas());
     faces.for_each(|((frame, target), area)| {
         let stay = libm::exp(rate / area);
         *frame = (*target + (*frame - *target) * stay).normalize();

@@ -16,6 +16,7 @@ impl Scene {
             SetupError::Pin(error) => self.pin_fault(error),
             SetupError::Bending(error) => self.complain_about(&bending_key(error), error),
             SetupError::StartCount { .. } => self.complain_about("start", error),
+            SetupError::Shell(_) => self.complain_about("bending", error),
             SetupError::Poisson(_) => self.complain_about("metric", error),
         }
     }
