@@ -3,6 +3,7 @@
 pub mod advice;
 pub mod text;
 pub mod tuning;
+mod whole_file;
 
 pub mod algebra;
 pub mod timeline;
@@ -20,8 +21,7 @@ pub mod render;
 
 pub mod scene;
 
-pub mod cache;
-pub mod movie;
+pub mod film;
 
 pub mod cli;
 

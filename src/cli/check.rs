@@ -1,11 +1,12 @@
 //! What is worth saying of a scene before anything is computed.
 
 use super::diagnostics::say;
-use super::pipeline::{PipelineError, SetUp, at_fault};
+use super::failure::PipelineError;
 use super::selections::selection_notes;
+use super::set_up::{SetUp, at_fault, contradictions};
 use crate::evolve::Simulation;
+use crate::film::Plan;
 use crate::mesh::{longest_loops, outer_loops};
-use crate::movie::Plan;
 use crate::scene::{Scene, SpinSection, clock_of, phases_as_text};
 use crate::spin::{Class, SpinError};
 
@@ -65,12 +66,6 @@ fn names_of_loop(k: usize, outer: &[usize], longest: &[usize]) -> String {
         (false, true) => " (longest)".to_owned(),
         (false, false) => String::new(),
     }
-}
-
-/// Warnings about pins that no surface with these lengths can keep.
-pub(super) fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
-    let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
-    Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
 }
 
 /// The phases of a scene as they can be pasted into one, where they replace the default ones and change nothing.

@@ -3,7 +3,7 @@
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use crate::cache::FrameReport;
+use crate::evolve::FrameReport;
 use crate::scene::ChecksSection;
 
 /// One entry of `[checks]`, compared with the film.

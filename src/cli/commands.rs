@@ -7,20 +7,21 @@ use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser};
 
-use super::FrameRangeError;
 use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::check;
 use super::checks::step_limit_line;
 use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
+use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
 use super::inspect::Inspection;
 use super::picture_options::PictureOptions;
-use super::pipeline::{self, PipelineError, Summary};
+use super::pipeline::{self, Summary};
 use super::progress::Bar;
+use super::set_up::count_classes;
 use super::verdict::verdict;
-use crate::cache::CacheError;
-use crate::movie::{self, Leftovers};
+use crate::film::DiskError;
+use crate::film::{self, Leftovers};
 use crate::scene::{MeshSection, OutputSection, Scene};
 
 /// The scene that `new` writes.
@@ -39,32 +40,6 @@ pub fn main() -> ExitCode {
         }
     };
     report(in_threads(&arguments))
-}
-
-/// Why a command failed.
-#[derive(Debug, thiserror::Error)]
-pub(super) enum Failure {
-    #[error(transparent)]
-    Pipeline(#[from] PipelineError),
-    #[error("--frames: {0}")]
-    Frames(#[from] FrameRangeError),
-    #[error("standard output cannot be written ({0}); check where it goes")]
-    Output(#[from] io::Error),
-    #[error("{}: cannot be written ({source}); choose another name or folder", path.display())]
-    New { path: PathBuf, source: io::Error },
-    #[error("{}: this folder cannot be used ({source}); name another one, or go where it is", path.display())]
-    Folder { path: PathBuf, source: io::Error },
-    #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
-    Threads(#[from] rayon::ThreadPoolBuildError),
-    /// Has been said already.
-    #[error("not all is well")]
-    NotWell,
-}
-
-impl From<CacheError> for Failure {
-    fn from(error: CacheError) -> Self {
-        Failure::Pipeline(error.into())
-    }
 }
 
 fn report(outcome: Result<(), Failure>) -> ExitCode {
@@ -150,7 +125,7 @@ fn read(file: &SceneFile) -> Result<Scene, Failure> {
         // Paths of a scene start in its folder, those of a command line where it is typed.
         scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));
     }
-    pipeline::count_classes(&mut scene)?;
+    count_classes(&mut scene)?;
     Ok(scene)
 }
 
@@ -185,7 +160,7 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
 
 /// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
 fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), PipelineError> {
-    let Leftovers { removed, older } = movie::clear_leftovers(folder, output).map_err(PipelineError::from)?;
+    let Leftovers { removed, older } = film::clear_leftovers(folder, output).map_err(PipelineError::from)?;
     let named = |names: &[String]| match names.len().saturating_sub(NAMED) {
         0 => names.join(", "),
         more => format!("{} and {more} more", names[..NAMED].join(", ")),
@@ -211,7 +186,7 @@ fn say_verdict(inspection: &Inspection, scene: &Scene) {
 }
 
 /// One frame has no curves.
-fn write_curves_of_film(folder: &Path, inspection: &Inspection) -> Result<(), CacheError> {
+fn write_curves_of_film(folder: &Path, inspection: &Inspection) -> Result<(), DiskError> {
     if inspection.frames.len() > 1 { write_curves(folder, &inspection.frames) } else { Ok(()) }
 }
 

@@ -12,15 +12,21 @@ use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, Visitor};
 use serde_json::Value as Json;
 
-use crate::cache::{CacheError, FrameReport, write_atomically};
+use crate::evolve::FrameReport;
+use crate::film::DiskError;
+use crate::whole_file;
 
 /// Writes `curves.csv` and `curves.svg` into the folder of a film.
-pub(super) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Result<(), CacheError> {
+pub(super) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Result<(), DiskError> {
     let table = curves_csv(reports).map_err(io::Error::from);
     for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports))] {
         let path = folder.join(name);
-        let text = text.map_err(|source| CacheError::Io { path: path.clone(), action: "written", source })?;
-        write_atomically(&path, text.as_bytes())?;
+        let text = text.map_err(|source| DiskError::Io { path: path.clone(), action: "written", source })?;
+        whole_file::write(&path, text.as_bytes()).map_err(|source| DiskError::Io {
+            path,
+            action: "written",
+            source,
+        })?;
     }
     Ok(())
 }

@@ -4,10 +4,11 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::commands::Failure;
 use super::diagnostics::say;
-use super::pipeline::{self, PipelineError};
+use super::failure::{Failure, PipelineError};
+use super::pipeline;
 use super::progress::Bar;
+use super::set_up::count_classes;
 use crate::scene::Scene;
 
 /// The scene of which there is a picture in all looks, `looks.png`.
@@ -27,7 +28,7 @@ pub(super) fn gallery(
     let mut missing = 0;
     for path in &all {
         let poster = Scene::read(path).map_err(PipelineError::from).and_then(|mut scene| {
-            pipeline::count_classes(&mut scene)?;
+            count_classes(&mut scene)?;
             let poster = out.join(&scene.name).with_extension("png");
             let film = work.join(&scene.name);
             pipeline::poster(&scene, &film, &poster, progress)?;

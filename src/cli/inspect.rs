@@ -8,7 +8,8 @@ use serde_json::Value as Json;
 
 use super::checks::{Check, checks_of};
 use super::text_table::{percent, short, write_table};
-use crate::cache::{Cache, CacheError, FrameReport, MeshCounts};
+use crate::evolve::FrameReport;
+use crate::film::{DiskError, FilmFolder, MeshCounts};
 
 /// What `inspect --json` prints.
 #[derive(Debug, Serialize)]
@@ -18,21 +19,21 @@ pub(super) struct Inspection {
     pub checks: Vec<Check>,
     /// Frames that are there but do not verify. Said on standard error.
     #[serde(skip)]
-    pub damaged: Vec<CacheError>,
+    pub damaged: Vec<DiskError>,
 }
 
 impl Inspection {
     /// Reads and verifies all frames of a film.
-    pub fn of(folder: &Path) -> Result<Inspection, CacheError> {
-        let cache = Cache::open(folder)?;
+    pub fn of(folder: &Path) -> Result<Inspection, DiskError> {
+        let film = FilmFolder::open(folder)?;
         let (mut frames, mut damaged) = (Vec::new(), Vec::new());
-        for frame in cache.frames()? {
-            match cache.read_report(frame) {
+        for frame in film.frames()? {
+            match film.read_report(frame) {
                 Ok(report) => frames.push(report),
                 Err(error) => damaged.push(error),
             }
         }
-        let manifest = cache.manifest();
+        let manifest = film.manifest();
         let checks = checks_of(&manifest.checks, &frames);
         Ok(Inspection { mesh: manifest.mesh, frames, checks, damaged })
     }

@@ -4,59 +4,13 @@ use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::DVec3;
-
-use super::check::contradictions;
+use super::failure::PipelineError;
 use super::progress::Progress;
+use super::set_up::{SetUp, at_fault, contradictions};
 use crate::advice::Advice;
-use crate::cache::{Cache, CacheError, Film};
-use crate::evolve::{self, EvolveError, Observer, Simulation};
-use crate::movie::{self, Arrivals, MovieError, Plan};
-use crate::scene::{Scene, SceneError, SceneErrors, clock_of};
-
-/// Why a command did not do what it should.
-#[derive(Debug, thiserror::Error)]
-pub enum PipelineError {
-    /// The scene file cannot be read, or has mistakes, or what it names is at fault.
-    #[error(transparent)]
-    Scene(#[from] SceneErrors),
-    /// The simulation ended without a frame.
-    #[error(transparent)]
-    Evolve(#[from] EvolveError),
-    /// The folder of the film is at fault.
-    #[error(transparent)]
-    Cache(#[from] CacheError),
-    /// Pictures cannot be made.
-    #[error(transparent)]
-    Movie(MovieError),
-}
-
-impl From<MovieError> for PipelineError {
-    fn from(error: MovieError) -> Self {
-        match error {
-            MovieError::Scene(errors) => PipelineError::Scene(errors),
-            other => PipelineError::Movie(other),
-        }
-    }
-}
-
-impl From<SceneError> for PipelineError {
-    fn from(mistake: SceneError) -> Self {
-        PipelineError::Scene(SceneErrors::Mistakes(vec![mistake]))
-    }
-}
-
-impl PipelineError {
-    /// Whether another input would help, rather than another machine or another try.
-    pub fn is_fault_of_input(&self) -> bool {
-        match self {
-            PipelineError::Scene(_) => true,
-            PipelineError::Cache(error) => !matches!(error, CacheError::Io { .. } | CacheError::Unfit { .. }),
-            PipelineError::Movie(error) => error.is_fault_of_input(),
-            PipelineError::Evolve(_) => false,
-        }
-    }
-}
+use crate::evolve::{self, Observer};
+use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Plan};
+use crate::scene::Scene;
 
 /// What a command has done.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,44 +19,6 @@ pub struct Summary {
     pub made: usize,
     /// Frames that were there and verified.
     pub kept: usize,
-}
-
-/// A simulation, and what was known of its surface before.
-pub(super) struct SetUp {
-    pub simulation: Simulation,
-    /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
-    pub places: Option<Vec<DVec3>>,
-    /// What had to be repaired in the mesh, and what else is worth saying.
-    pub notes: Vec<String>,
-}
-
-impl SetUp {
-    /// Of a scene; what is at fault is shown where the scene names it.
-    pub fn of(scene: &Scene) -> Result<SetUp, PipelineError> {
-        let surface = scene.surface()?;
-        let places = surface.places().map(<[DVec3]>::to_vec);
-        let mut notes = surface.repairs.clone();
-        let simulation = scene.simulation_of(surface)?;
-        let of_metric = simulation.metric_program().notes();
-        notes.extend(of_metric.into_iter().map(|(change, note)| format!("metric.change[{change}]: {note}")));
-        Ok(SetUp { simulation, places, notes })
-    }
-}
-
-/// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
-pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
-    if scene.clock.a_frame_for_each_class {
-        scene.clock = clock_of(scene, &scene.surface()?.mesh)?;
-    }
-    Ok(())
-}
-
-/// An error of a running simulation, shown where the scene names what is at fault, if it does.
-pub(super) fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
-    match scene.fault(&error) {
-        Some(mistake) => mistake.into(),
-        None => error.into(),
-    }
 }
 
 /// Computes the frames that are not there yet and makes pictures of some, given by number in order, at the same time.
@@ -124,7 +40,7 @@ pub(super) fn run(
             arrivals.end();
         });
         let watch = &mut |event| pass_on(event, picturing);
-        let made = movie::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch);
+        let made = film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch);
         // Pictures may fail because no more frames come, but then frames failed first.
         made.map_err(|error| (arrivals.stop(), error))
     });
@@ -157,23 +73,23 @@ fn simulate_for(
     progress: &mut dyn Progress,
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
-    let SetUp { mut simulation, places, notes } = SetUp::of(scene)?;
+    let set_up = SetUp::of(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
-    notes.iter().for_each(|note| progress.note(note));
+    set_up.notes.iter().for_each(|note| progress.note(note));
     // A time without a metric is told when its frame is made.
-    contradictions(scene, &simulation).iter().flatten().for_each(|warning| progress.note(warning));
-    let film = Film::of(scene);
-    let (mesh, places) = (simulation.mesh().clone(), places.as_deref());
-    let cache = if restart {
-        Cache::restart(folder, &film, &mesh, places)?
+    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
+    let (spec, mesh) = (FilmSpec::of(scene), set_up.film_mesh(scene));
+    let mut simulation = set_up.simulation;
+    let film = if restart {
+        FilmFolder::restart(folder, &spec, &mesh)?
     } else {
-        Cache::open_or_create(folder, &film, &mesh, places)?
+        FilmFolder::open_or_create(folder, &spec, &mesh)?
     };
-    let kept = cache.last_valid_frame()?.unwrap_or(0);
+    let kept = film.last_valid_frame()?.unwrap_or(0);
     if kept > 0 {
-        simulation.resume(Arc::new(cache.read_frame(kept)?)).map_err(|error| {
+        simulation.resume(Arc::new(film.read_frame(kept)?)).map_err(|error| {
             let reason = format!("the film cannot go on after it: {}", error.reason());
-            CacheError::Damaged {
+            DiskError::Damaged {
                 path: folder.to_owned(),
                 reason,
                 remedy: "pass --restart to `immerse simulate` to begin anew",
@@ -184,7 +100,7 @@ fn simulate_for(
     for number in kept + 1..=scene.clock.frames {
         let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
         let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
-        cache.write_frame(&frame)?;
+        film.write_frame(&frame)?;
         arrivals.reach(number);
     }
     Ok(Summary { made: scene.clock.frames - kept, kept })
@@ -221,7 +137,7 @@ pub(super) fn render_frames(
     frames: &[usize],
     progress: &mut dyn Progress,
 ) -> Result<Summary, PipelineError> {
-    let made = movie::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
+    let made = film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
     Ok(Summary { made, kept: 0 })
 }
 
@@ -233,7 +149,7 @@ pub(super) fn poster(
     progress: &mut dyn Progress,
 ) -> Result<(), PipelineError> {
     simulate(scene, folder, false, progress)?;
-    Ok(movie::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
+    Ok(film::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
 }
 
 /// Makes one picture of a simulated scene in all looks.
@@ -243,13 +159,13 @@ pub(super) fn look_sheet(
     path: &Path,
     progress: &mut dyn Progress,
 ) -> Result<(), PipelineError> {
-    Ok(movie::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
+    Ok(film::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
 }
 
-fn pass_on(event: movie::Event, progress: &mut dyn Progress) {
+fn pass_on(event: film::Event, progress: &mut dyn Progress) {
     match event {
-        movie::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
-        movie::Event::Done(done) => progress.advance(done, None),
-        movie::Event::Note(text) => progress.note(&text),
+        film::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
+        film::Event::Done(done) => progress.advance(done, None),
+        film::Event::Note(text) => progress.note(&text),
     }
 }

@@ -1,7 +1,7 @@
 //! The last line of a run: what the result is not, where, why that may be, and what to try.
 
 use super::text_table::percent;
-use crate::cache::FrameReport;
+use crate::evolve::FrameReport;
 use crate::scene::ChecksSection;
 use crate::tuning::MAX_RESTARTS;
 

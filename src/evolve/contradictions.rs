@@ -3,11 +3,10 @@
 use super::course::Course;
 use super::error::EvolveError;
 use crate::mesh::{EdgeId, Mesh, VertexId};
+use crate::metric::shortest_paths;
 use crate::timeline::Clock;
 use crate::tuning::{PINNED_LENGTH_TOLERANCE, PINNED_PATH_SOURCES};
 use glam::DVec3;
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// What pins and metric disagree about at a time.
 struct Contradiction {
@@ -100,30 +99,6 @@ fn farthest_beyond(source: VertexId, paths: &[f64], places: &[(VertexId, DVec3)]
     let (v, pinned, path) = pairs.max_by(|a, b| (a.1 / a.2).total_cmp(&(b.1 / b.2)))?;
     let what = Length::Path { ends: [source, v], pinned, path };
     (pinned > path).then_some(Contradiction { time, ratio: pinned / path, what })
-}
-
-/// Length of the shortest way along edges from a vertex to each; infinite where there is none.
-fn shortest_paths(mesh: &Mesh, lengths: &[f64], source: VertexId) -> Vec<f64> {
-    let mut distances = vec![f64::INFINITY; mesh.vertex_count()];
-    distances[source.index()] = 0.0;
-    // The bits of numbers that are not negative are in their order.
-    let mut waiting = BinaryHeap::from([(Reverse(0), source)]);
-    while let Some((Reverse(bits), v)) = waiting.pop() {
-        if f64::from_bits(bits) > distances[v.index()] {
-            continue;
-        }
-        for h in mesh.outgoing(v) {
-            // On the boundary the last side of the star leads here.
-            for (h, end) in [(h, mesh.tip(h)), (h.previous(), mesh.tail(h.previous()))] {
-                let distance = distances[v.index()] + lengths[mesh.edge(h).index()];
-                if distance < distances[end.index()] {
-                    distances[end.index()] = distance;
-                    waiting.push((Reverse(distance.to_bits()), end));
-                }
-            }
-        }
-    }
-    distances
 }
 
 impl Contradiction {

@@ -12,7 +12,7 @@ use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
 use crate::algebra::Complex;
 use crate::immersion::spin_of_immersion;
-use crate::mesh::{Component, Mesh, Surface};
+use crate::mesh::{Component, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
 use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
@@ -230,6 +230,11 @@ impl Simulation {
     /// Edge lengths and what they determine, at the time of the last frame.
     pub fn metric(&self) -> &Metric {
         &self.metric
+    }
+
+    /// The pinned vertices, each once, in order.
+    pub fn pinned(&self) -> &[VertexId] {
+        self.course.pins().vertices()
     }
 
     /// Generators of the homology of the whole surface.

@@ -1,25 +1,26 @@
 use std::path::PathBuf;
 
 use crate::{
-    cache::CacheError,
+    advice::Advice,
+    film::disk::DiskError,
     render::RenderError,
-    scene::{Scene, SceneError, SceneErrors},
+    scene::{SceneError, SceneErrors},
 };
 
 /// Why pictures of a film cannot be made.
 #[derive(Debug, thiserror::Error)]
-pub enum MovieError {
+pub enum FilmError {
     /// What the scene says of its pictures is at fault.
     #[error(transparent)]
     Scene(#[from] SceneErrors),
     /// The folder of the film is at fault.
     #[error(transparent)]
-    Cache(#[from] CacheError),
+    Disk(#[from] DiskError),
     /// A picture cannot be made or written.
     #[error(transparent)]
     Render(#[from] RenderError),
     /// Pictures are wanted of a frame that has not been computed.
-    #[error("{}: frame {frame} has not been computed; run `immerse simulate` first", folder.display())]
+    #[error("{}: frame {frame} has not been computed; {}", folder.display(), self.remedy())]
     NoSuchFrame {
         /// The film.
         folder: PathBuf,
@@ -27,43 +28,54 @@ pub enum MovieError {
         frame: usize,
     },
     /// A field of a frame cannot be computed.
-    #[error("a frame has no such field to show ({reason}); simulate the film anew, or show another")]
+    #[error("a frame has no such field to show ({reason}); {}", self.remedy())]
     Field {
         /// What is wrong.
         reason: String,
     },
     /// The program was built without the encoder.
-    #[error(
-        "this program was built without mp4; build it with `cargo build --release --features mp4` (which takes a C++ \
-         compiler), or ask for gif or apng"
-    )]
+    #[error("this program was built without mp4; {}", self.remedy())]
     WithoutMp4,
 }
 
-impl From<SceneError> for MovieError {
-    fn from(error: SceneError) -> Self {
-        MovieError::Scene(SceneErrors::Mistakes(vec![error]))
+impl Advice for FilmError {
+    fn remedy(&self) -> String {
+        match self {
+            FilmError::Scene(errors) => {
+                errors.mistakes().first().map_or_else(|| "correct the scene".into(), |mistake| mistake.remedy.clone())
+            }
+            FilmError::Disk(error) => error.remedy(),
+            FilmError::Render(error) => error.remedy(),
+            FilmError::NoSuchFrame { .. } => "run `immerse simulate` first".into(),
+            FilmError::Field { .. } => "simulate the film anew, or show another".into(),
+            FilmError::WithoutMp4 => {
+                "build it with `cargo build --release --features mp4` (which takes a C++ compiler), or ask \
+                                      for gif or apng"
+                    .into()
+            }
+        }
     }
 }
 
-impl MovieError {
+impl From<SceneError> for FilmError {
+    fn from(error: SceneError) -> Self {
+        FilmError::Scene(SceneErrors::Mistakes(vec![error]))
+    }
+}
+
+impl FilmError {
     /// Whether another input would help, rather than another machine or another try.
     pub fn is_fault_of_input(&self) -> bool {
         match self {
-            MovieError::Scene(_) | MovieError::NoSuchFrame { .. } | MovieError::WithoutMp4 => true,
-            MovieError::Field { .. } => false,
-            MovieError::Cache(error) => !matches!(error, CacheError::Io { .. } | CacheError::Unfit { .. }),
-            MovieError::Render(error) => !matches!(error, RenderError::Write { .. }),
+            FilmError::Scene(_) | FilmError::NoSuchFrame { .. } | FilmError::WithoutMp4 => true,
+            FilmError::Field { .. } => false,
+            FilmError::Disk(error) => !matches!(error, DiskError::Io { .. } | DiskError::Unfit { .. }),
+            FilmError::Render(error) => !matches!(error, RenderError::Write { .. }),
         }
     }
 
-    /// An error shown where the scene names what is at fault.
-    pub(super) fn of_scene(scene: &Scene, key: &str, message: &str) -> MovieError {
-        MovieError::Scene(SceneErrors::Mistakes(vec![scene.complain_of(key, message)]))
-    }
-
     /// A file that could not be written.
-    pub(super) fn write(path: &std::path::Path, reason: impl std::fmt::Display) -> MovieError {
-        MovieError::Render(RenderError::Write { path: path.to_owned(), reason: reason.to_string() })
+    pub(super) fn write(path: &std::path::Path, reason: impl std::fmt::Display) -> FilmError {
+        FilmError::Render(RenderError::Write { path: path.to_owned(), reason: reason.to_string() })
     }
 }

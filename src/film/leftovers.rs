@@ -6,11 +6,9 @@ use std::{
     path::Path,
 };
 
-use super::MovieError;
-use crate::{
-    cache::Cache,
-    scene::{AnimationFormat, OutputSection},
-};
+use super::disk::FilmFolder;
+use super::error::FilmError;
+use crate::scene::{AnimationFormat, OutputSection};
 
 /// What was found beside the pictures of a film, by name in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -26,12 +24,12 @@ pub struct Leftovers {
 /// that say of themselves that this program made them.
 ///
 /// # Errors
-/// [`MovieError::Cache`] if there is no film, [`MovieError::Render`] if a file cannot be removed.
-pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, MovieError> {
-    let cache = Cache::open(folder)?;
-    let (hash, frames) = (cache.manifest().fingerprint, cache.manifest().frame_count);
+/// [`FilmError::Disk`] if there is no film, [`FilmError::Render`] if a file cannot be removed.
+pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, FilmError> {
+    let film = FilmFolder::open(folder)?;
+    let (hash, frames) = (film.manifest().fingerprint, film.manifest().frame_count);
     let mut leftovers = Leftovers::default();
-    let failed = |error: io::Error| MovieError::write(folder, error);
+    let failed = |error: io::Error| FilmError::write(folder, error);
     let mut names: Vec<String> = Vec::new();
     for entry in fs::read_dir(folder).map_err(failed)? {
         let entry = entry.map_err(failed)?;
@@ -40,18 +38,18 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
         }
     }
     names.sort();
-    leftovers.removed.extend(cache.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
+    leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
     for name in names {
         let path = folder.join(&name);
-        let Some(picture) = Picture::of(&name) else { continue };
+        let Some(picture) = Made::of(&name) else { continue };
         let is_stale = match picture {
-            Picture::Curves => has_curves,
-            Picture::Frame(number, _) if !(1..=frames).contains(&number) => made_for(&path).is_some(),
+            Made::Curves => has_curves,
+            Made::Frame(number, _) if !(1..=frames).contains(&number) => made_for(&path).is_some(),
             _ => made_for(&path).flatten().is_some_and(|made_for| made_for != hash),
         };
         if is_stale {
-            fs::remove_file(&path).map_err(|error| MovieError::write(&path, error))?;
+            fs::remove_file(&path).map_err(|error| FilmError::write(&path, error))?;
             leftovers.removed.push(name);
         } else if output.is_some_and(|output| !picture.is_asked_for(output)) && made_for(&path).is_some() {
             leftovers.older.push(name);
@@ -60,9 +58,9 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
     Ok(leftovers)
 }
 
-/// Files that pictures are written to.
+/// Files that are made of a film.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Picture {
+enum Made {
     /// Of a frame, as PNG or else EXR.
     Frame(usize, bool),
     Film(AnimationFormat),
@@ -70,28 +68,28 @@ enum Picture {
     Curves,
 }
 
-impl Picture {
-    fn of(name: &str) -> Option<Picture> {
+impl Made {
+    fn of(name: &str) -> Option<Made> {
         let (stem, ending) = name.split_once('.')?;
         let is_number = stem.len() == 6 && stem.bytes().all(|b| b.is_ascii_digit());
         match (stem, ending) {
-            (_, "png" | "exr") if is_number => Some(Picture::Frame(stem.parse().ok()?, ending == "png")),
-            ("film", "gif") => Some(Picture::Film(AnimationFormat::Gif)),
-            ("film", "apng") => Some(Picture::Film(AnimationFormat::Apng)),
-            ("film", "mp4") => Some(Picture::Film(AnimationFormat::Mp4)),
-            ("sheet", "png") => Some(Picture::Sheet),
-            ("curves", "csv" | "svg") => Some(Picture::Curves),
+            (_, "png" | "exr") if is_number => Some(Made::Frame(stem.parse().ok()?, ending == "png")),
+            ("film", "gif") => Some(Made::Film(AnimationFormat::Gif)),
+            ("film", "apng") => Some(Made::Film(AnimationFormat::Apng)),
+            ("film", "mp4") => Some(Made::Film(AnimationFormat::Mp4)),
+            ("sheet", "png") => Some(Made::Sheet),
+            ("curves", "csv" | "svg") => Some(Made::Curves),
             _ => None,
         }
     }
 
     fn is_asked_for(self, output: &OutputSection) -> bool {
         match self {
-            Picture::Frame(_, true) => output.png,
-            Picture::Frame(_, false) => output.exr,
-            Picture::Film(format) => output.animation.contains(&format),
-            Picture::Sheet => output.sheet > 0,
-            Picture::Curves => true,
+            Made::Frame(_, true) => output.png,
+            Made::Frame(_, false) => output.exr,
+            Made::Film(format) => output.animation.contains(&format),
+            Made::Sheet => output.sheet > 0,
+            Made::Curves => true,
         }
     }
 }

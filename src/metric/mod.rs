@@ -7,6 +7,7 @@ mod intrinsic;
 mod lengths;
 mod program;
 mod ricci_change;
+mod shortest_paths;
 mod triangle;
 
 pub use change::Change;
@@ -19,4 +20,5 @@ pub use intrinsic::{Metric, largest_strain, lengths_of_positions};
 pub use lengths::Lengths;
 pub use program::{Interpolation, MetricAt, MetricPart, MetricProgram, NoMetric};
 pub use ricci_change::RicciTarget;
+pub use shortest_paths::shortest_paths;
 pub use triangle::TRIANGLE_MARGIN;

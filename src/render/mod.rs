@@ -48,5 +48,4 @@ pub use passage::render;
 pub use picture::Picture;
 pub use scenery::Scenery;
 pub use text::{Anchor, Corner, Legend, Overlay, TextStyle, fill_in, text_width};
-pub(crate) use write::temporary_beside;
 pub use write::{Metadata, Png};

@@ -4,10 +4,9 @@ use std::{fs::File, io::BufWriter};
 
 use png::{BitDepth, ColorType, Compression, Encoder, SrgbRenderingIntent, Writer};
 
-use super::{
-    MovieError,
-    animation::{Animation, Draft, Reeling},
-};
+use super::draft::Draft;
+use super::reeling::{Animation, Reeling};
+use crate::film::error::FilmError;
 use crate::render::Metadata;
 
 pub(super) struct Apng {
@@ -25,7 +24,7 @@ fn delay(rate: f64) -> (u16, u16) {
 }
 
 impl Apng {
-    pub fn begin(draft: Draft, reeling: Reeling) -> Result<Apng, MovieError> {
+    pub fn begin(draft: Draft, reeling: Reeling) -> Result<Apng, FilmError> {
         let mut encoder = Encoder::new(draft.writer()?, reeling.width as u32, reeling.height as u32);
         encoder.set_color(ColorType::Rgb);
         encoder.set_depth(BitDepth::Eight);
@@ -45,11 +44,11 @@ impl Apng {
 }
 
 impl Animation for Apng {
-    fn push(&mut self, pixels: &[u8]) -> Result<(), MovieError> {
+    fn push(&mut self, pixels: &[u8]) -> Result<(), FilmError> {
         self.writer.write_image_data(pixels).map_err(|error| self.draft.error(error))
     }
 
-    fn finish(self: Box<Self>) -> Result<(), MovieError> {
+    fn finish(self: Box<Self>) -> Result<(), FilmError> {
         self.writer.finish().map_err(|error| self.draft.error(error))?;
         self.draft.publish()
     }

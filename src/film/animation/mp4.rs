@@ -15,10 +15,9 @@ use openh264::{
 };
 use rayon::prelude::*;
 
-use super::{
-    MovieError,
-    animation::{Animation, Draft, Reeling},
-};
+use super::draft::Draft;
+use super::reeling::{Animation, Reeling};
+use crate::film::error::FilmError;
 use crate::render::Metadata;
 
 pub(super) struct Mp4 {
@@ -34,7 +33,7 @@ const QUANTIZATION: [u8; 2] = [16, 18];
 
 impl Mp4 {
     /// Video has an even number of columns and rows: of odd pictures the last ones are left out.
-    pub fn begin(draft: Draft, reeling: Reeling) -> Result<Mp4, MovieError> {
+    pub fn begin(draft: Draft, reeling: Reeling) -> Result<Mp4, FilmError> {
         let Reeling { width, height, rate, .. } = reeling;
         let (even_width, even_height) = (width & !1, height & !1);
         if even_width == 0 || even_height == 0 || width.max(height) > 3840 || width.min(height) > 2160 {
@@ -66,7 +65,7 @@ impl Mp4 {
 }
 
 impl Animation for Mp4 {
-    fn push(&mut self, pixels: &[u8]) -> Result<(), MovieError> {
+    fn push(&mut self, pixels: &[u8]) -> Result<(), FilmError> {
         let Reeling { width, height, rate, .. } = self.reeling;
         let planes = Planes::of(pixels, width, height);
         let source = YUVSlices::new(
@@ -81,7 +80,7 @@ impl Animation for Mp4 {
         self.muxer.write_video(time, &stream.to_vec(), whole).map_err(|error| self.draft.error(error))
     }
 
-    fn finish(self: Box<Self>) -> Result<(), MovieError> {
+    fn finish(self: Box<Self>) -> Result<(), FilmError> {
         let Mp4 { mut muxer, draft, reeling, .. } = *self;
         muxer.finish_in_place().map_err(|error| draft.error(error))?;
         let mut writer = muxer.into_writer();

@@ -1,14 +1,16 @@
 //! Why the folder of a film cannot be read or written.
 
+use super::manifest::FORMAT;
+use crate::advice::Advice;
 use crate::evolve::UnfitFrame;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A file or folder of the cache that is not as it must be.
+/// A file or folder of a film that is not as it must be.
 #[derive(Debug, thiserror::Error)]
-pub enum CacheError {
+pub enum DiskError {
     /// The system refused.
-    #[error("{}: cannot be {action} ({source}); check the path, permissions and free space", path.display())]
+    #[error("{}: cannot be {action} ({source}); {}", path.display(), self.remedy())]
     Io {
         /// The file or folder.
         path: PathBuf,
@@ -18,25 +20,21 @@ pub enum CacheError {
         source: io::Error,
     },
     /// A file where the folder of a film belongs.
-    #[error("{}: it is a file, and a film is a folder; name that, {remedy}", path.display())]
+    #[error("{}: it is a file, and a film is a folder; {}", path.display(), self.remedy())]
     NotAFolder {
         /// The file.
         path: PathBuf,
         /// Which folder that may be.
-        remedy: String,
+        folder: String,
     },
     /// There is no manifest.
-    #[error("{}: there is no film here; simulate one first, or name the folder that holds manifest.json", path.display())]
+    #[error("{}: there is no film here; {}", path.display(), self.remedy())]
     NotAFilm {
         /// The folder.
         path: PathBuf,
     },
     /// The folder is another scene's, or this one's before it was changed.
-    #[error(
-        "{}: this folder holds the film of {found}; nothing was overwritten. \
-         Name another folder with --out, or pass --restart to `immerse simulate` to begin anew",
-        path.display()
-    )]
+    #[error("{}: this folder holds the film of {found}, and nothing was overwritten; {}", path.display(), self.remedy())]
     OtherScene {
         /// The folder.
         path: PathBuf,
@@ -44,12 +42,7 @@ pub enum CacheError {
         found: String,
     },
     /// Another version of the program wrote it.
-    #[error(
-        "{}: it has format {found}, this program reads format {}; use the program that wrote it, \
-         or pass --restart to `immerse simulate` to begin anew",
-        path.display(),
-        super::FORMAT
-    )]
+    #[error("{}: it has format {found}, this program reads format {FORMAT}; {}", path.display(), self.remedy())]
     Version {
         /// The file.
         path: PathBuf,
@@ -57,13 +50,13 @@ pub enum CacheError {
         found: u64,
     },
     /// It is not there.
-    #[error("{}: there is no such frame; simulate it first", path.display())]
+    #[error("{}: there is no such frame; {}", path.display(), self.remedy())]
     Missing {
         /// The file.
         path: PathBuf,
     },
     /// It is not what was written.
-    #[error("{}: it is damaged ({reason}); {remedy}", path.display())]
+    #[error("{}: it is damaged ({reason}); {}", path.display(), self.remedy())]
     Damaged {
         /// The file.
         path: PathBuf,
@@ -87,24 +80,43 @@ pub(super) const SIMULATE_AGAIN: &str = "run `immerse simulate` again, which com
 /// How a damaged manifest or mesh is mended.
 pub(super) const RESTART: &str = "pass --restart to `immerse simulate` to begin anew";
 
-impl CacheError {
+impl Advice for DiskError {
+    fn remedy(&self) -> String {
+        match self {
+            DiskError::Io { .. } => "check the path, permissions and free space".into(),
+            DiskError::NotAFolder { folder, .. } => format!("name that, {folder}"),
+            DiskError::NotAFilm { .. } => "simulate one first, or name the folder that holds manifest.json".into(),
+            DiskError::OtherScene { .. } => {
+                "name another folder with --out, or pass --restart to `immerse simulate` to begin anew".into()
+            }
+            DiskError::Version { .. } => {
+                "use the program that wrote it, or pass --restart to `immerse simulate` to begin anew".into()
+            }
+            DiskError::Missing { .. } => "simulate it first".into(),
+            DiskError::Damaged { remedy, .. } => (*remedy).to_owned(),
+            DiskError::Unfit { reason, .. } => reason.remedy(),
+        }
+    }
+}
+
+impl DiskError {
     /// A scene's film is in renders/<name>, unless somebody said else, and files of a film are in its folder.
-    pub(super) fn not_a_folder(path: &Path) -> CacheError {
+    pub(super) fn not_a_folder(path: &Path) -> DiskError {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let is_scene = path.extension().is_some_and(|ending| ending == "toml");
         let parents = path.ancestors().skip(1);
         let film = parents.take(2).find(|parent| parent.join("manifest.json").is_file());
-        let remedy = match film {
+        let folder = match film {
             Some(folder) if folder.as_os_str().is_empty() => "which is . here".to_owned(),
             Some(folder) => format!("which is {}", folder.display()),
             None if is_scene => format!("such as renders/{stem}, or what --out was"),
             None => "such as renders/NAME".to_owned(),
         };
-        CacheError::NotAFolder { path: path.to_owned(), remedy }
+        DiskError::NotAFolder { path: path.to_owned(), folder }
     }
 
-    pub(super) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> CacheError {
+    pub(super) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> DiskError {
         let path = path.into();
-        move |source| CacheError::Io { path, action, source }
+        move |source| DiskError::Io { path, action, source }
     }
 }

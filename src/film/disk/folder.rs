@@ -1,18 +1,15 @@
 //! The folder of a film: what it holds, which frames are done, resuming and beginning anew.
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
-use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use super::FORMAT;
-use super::error::{CacheError, RESTART, SIMULATE_AGAIN};
-use super::file::{SealError, read, remove, seal, unseal, write_atomically};
-use super::frame::{from_npz, to_npz};
-use super::manifest::{Film, Manifest, MeshCounts};
-use super::npz::{ArrayReader, ArrayWriter};
+use super::error::{DiskError, RESTART, SIMULATE_AGAIN};
+use super::frame_file::{from_npz, to_npz};
+use super::manifest::{FORMAT, FilmSpec, Manifest, MeshCounts};
+use super::mesh_file::{FilmMesh, file_faces_of, triangles_of};
+use super::seal::{SealError, read, remove, seal, unseal, write_whole};
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
 
@@ -28,97 +25,92 @@ struct FrameRecord {
 
 /// The folder of a film.
 #[derive(Clone, Debug)]
-pub struct Cache {
+pub struct FilmFolder {
     folder: PathBuf,
     manifest: Manifest,
 }
 
-impl Cache {
-    /// Opens the folder of a film to go on with it, or creates it with the mesh and, if there are any, the places of
-    /// its vertices (|V|). A film that is gone on with keeps the places it began with.
+impl FilmFolder {
+    /// Opens the folder of a film to go on with it, or creates it with its mesh. A film that is
+    /// gone on with keeps the mesh it began with.
     ///
     /// # Errors
-    /// [`CacheError::OtherScene`] if the folder holds another film, or this film on another mesh; then
-    /// nothing is changed. [`CacheError::Version`] and [`CacheError::Damaged`] if its manifest is not to
+    /// [`DiskError::OtherScene`] if the folder holds another film, or this film on another mesh; then
+    /// nothing is changed. [`DiskError::Version`] and [`DiskError::Damaged`] if its manifest is not to
     /// be read.
-    pub fn open_or_create(
-        folder: &Path,
-        film: &Film,
-        mesh: &Mesh,
-        places: Option<&[DVec3]>,
-    ) -> Result<Cache, CacheError> {
-        let other = |found: String| CacheError::OtherScene { path: folder.to_owned(), found };
-        match Cache::open(folder) {
-            Ok(cache) if cache.manifest.fingerprint != film.fingerprint => {
-                let found = if cache.manifest.scene == film.scene {
-                    format!("another version of the scene `{}`", film.scene)
+    pub fn open_or_create(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
+        let other = |found: String| DiskError::OtherScene { path: folder.to_owned(), found };
+        match FilmFolder::open(folder) {
+            Ok(film) if film.manifest.fingerprint != spec.fingerprint => {
+                let found = if film.manifest.scene == spec.scene {
+                    format!("another version of the scene `{}`", spec.scene)
                 } else {
-                    format!("the scene `{}`", cache.manifest.scene)
+                    format!("the scene `{}`", film.manifest.scene)
                 };
                 Err(other(found))
             }
-            Ok(cache) if cache.triangles()? != mesh.triangles() => {
-                Err(other(format!("the scene `{}` on another mesh", cache.manifest.scene)))
+            Ok(film) if film.triangles()? != mesh.mesh.triangles() => {
+                Err(other(format!("the scene `{}` on another mesh", film.manifest.scene)))
             }
             // Names and checks may have changed; they decide no frame.
-            Ok(cache) => Cache::begin(folder, film, cache.manifest.mesh, cache.manifest.mesh_crc32),
-            Err(CacheError::NotAFilm { .. }) => Cache::create(folder, film, mesh, places),
+            Ok(film) => FilmFolder::begin(folder, spec, film.manifest.mesh, film.manifest.mesh_crc32),
+            Err(DiskError::NotAFilm { .. }) => FilmFolder::create(folder, spec, mesh),
             Err(error) => Err(error),
         }
     }
 
-    /// Begins anew: removes the frames of whatever film the folder holds. Files that are not a cache's
-    /// stay.
+    /// Begins anew: removes the frames of whatever film the folder holds. Files that are not
+    /// of a film stay.
     ///
     /// # Errors
-    /// [`CacheError::Io`]
-    pub fn restart(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
+    /// [`DiskError::Io`]
+    pub fn restart(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
         if folder.is_file() {
-            return Err(CacheError::not_a_folder(folder));
+            return Err(DiskError::not_a_folder(folder));
         }
         frame_files(folder)?.iter().try_for_each(|path| remove(path))?;
-        Cache::create(folder, film, mesh, places)
+        FilmFolder::create(folder, spec, mesh)
     }
 
-    fn create(folder: &Path, film: &Film, mesh: &Mesh, places: Option<&[DVec3]>) -> Result<Cache, CacheError> {
-        fs::create_dir_all(folder).map_err(CacheError::io(folder, "created"))?;
+    fn create(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
+        fs::create_dir_all(folder).map_err(DiskError::io(folder, "created"))?;
         let path = folder.join("mesh.npz");
-        let bytes = mesh_npz(mesh, places).map_err(CacheError::io(&path, "written"))?;
+        let bytes = mesh.to_npz().map_err(DiskError::io(&path, "written"))?;
         write_unless_same(&path, &bytes)?;
-        Cache::begin(folder, film, MeshCounts::of(mesh), crc32fast::hash(&bytes))
+        FilmFolder::begin(folder, spec, MeshCounts::of(&mesh.mesh), crc32fast::hash(&bytes))
     }
 
     /// Writes the manifest of a film whose mesh is there.
-    fn begin(folder: &Path, film: &Film, mesh: MeshCounts, mesh_crc32: u32) -> Result<Cache, CacheError> {
+    fn begin(folder: &Path, spec: &FilmSpec, mesh: MeshCounts, mesh_crc32: u32) -> Result<FilmFolder, DiskError> {
         let frames = folder.join("frames");
-        fs::create_dir_all(&frames).map_err(CacheError::io(&frames, "created"))?;
+        fs::create_dir_all(&frames).map_err(DiskError::io(&frames, "created"))?;
         let manifest = Manifest {
             format: FORMAT,
-            scene: film.scene.clone(),
-            fingerprint: film.fingerprint,
-            frame_count: film.frame_count,
+            scene: spec.scene.clone(),
+            fingerprint: spec.fingerprint,
+            frame_count: spec.frame_count,
             mesh,
             mesh_crc32,
-            checks: film.checks.clone(),
+            checks: spec.checks.clone(),
         };
         let path = folder.join("manifest.json");
         write_unless_same(&path, &sealed(&path, &manifest)?)?;
-        Ok(Cache { folder: folder.to_owned(), manifest })
+        Ok(FilmFolder { folder: folder.to_owned(), manifest })
     }
 
     /// Opens the folder of a film to read it.
     ///
     /// # Errors
-    /// [`CacheError::NotAFolder`], [`CacheError::NotAFilm`] if there is no manifest, [`CacheError::Version`] if another version of
-    /// the program wrote it, [`CacheError::Damaged`] if it is not what was written.
-    pub fn open(folder: &Path) -> Result<Cache, CacheError> {
+    /// [`DiskError::NotAFolder`], [`DiskError::NotAFilm`] if there is no manifest, [`DiskError::Version`] if another version of
+    /// the program wrote it, [`DiskError::Damaged`] if it is not what was written.
+    pub fn open(folder: &Path) -> Result<FilmFolder, DiskError> {
         if folder.is_file() {
-            return Err(CacheError::not_a_folder(folder));
+            return Err(DiskError::not_a_folder(folder));
         }
         let path = folder.join("manifest.json");
-        let bytes = read(&path)?.ok_or_else(|| CacheError::NotAFilm { path: folder.to_owned() })?;
+        let bytes = read(&path)?.ok_or_else(|| DiskError::NotAFilm { path: folder.to_owned() })?;
         let manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error, RESTART))?;
-        Ok(Cache { folder: folder.to_owned(), manifest })
+        Ok(FilmFolder { folder: folder.to_owned(), manifest })
     }
 
     /// The folder.
@@ -131,64 +123,55 @@ impl Cache {
         &self.manifest
     }
 
-    /// Corners of the faces.
+    /// The surface of the film.
     ///
     /// # Errors
-    /// [`CacheError::Damaged`] if the mesh is not what was written.
-    pub fn triangles(&self) -> Result<Vec<[u32; 3]>, CacheError> {
-        let faces = self.manifest.mesh.faces as u64;
-        let corners = self.read_mesh(|file| file.array::<u32>("triangles", &[faces, 3]))?;
-        Ok(corners.as_chunks().0.to_vec())
+    /// [`DiskError::Damaged`] if the mesh is not what was written.
+    pub fn mesh(&self) -> Result<FilmMesh, DiskError> {
+        let counts = self.manifest.mesh;
+        self.read_mesh(|bytes| {
+            let mesh = Mesh::from_faces(counts.vertices, &triangles_of(bytes, counts.faces)?);
+            FilmMesh::from_npz(bytes, mesh.map_err(|error| error.to_string())?)
+        })
     }
 
-    /// What x, y and z of each vertex mean in the scene; `None` if the mesh has no places, or the film was begun when
-    /// they were not kept.
+    /// Corners of the faces, |F|.
     ///
     /// # Errors
-    /// [`CacheError::Damaged`] if the mesh is not what was written.
-    pub fn places(&self) -> Result<Option<Vec<DVec3>>, CacheError> {
-        let vertices = self.manifest.mesh.vertices as u64;
-        let places = self.read_mesh(|file| match file.has("places") {
-            true => file.array::<f64>("places", &[vertices, 3]).map(Some),
-            false => Ok(None),
-        })?;
-        Ok(places.map(|places| places.as_chunks().0.iter().map(|&place| DVec3::from_array(place)).collect()))
+    /// [`DiskError::Damaged`] if the mesh is not what was written.
+    pub fn triangles(&self) -> Result<Vec<[u32; 3]>, DiskError> {
+        self.read_mesh(|bytes| triangles_of(bytes, self.manifest.mesh.faces))
     }
 
     /// The number of each face in the mesh file, that of its polygon, |F|.
     ///
     /// # Errors
-    /// [`CacheError::Damaged`] if the mesh is not what was written.
-    pub fn file_faces(&self) -> Result<Vec<u32>, CacheError> {
-        let faces = self.manifest.mesh.faces;
-        self.read_mesh(|file| match file.has("file_face") {
-            true => file.array::<u32>("file_face", &[faces as u64]),
-            // Films of the time before there were such numbers.
-            false => Ok((0..faces as u32).collect()),
-        })
+    /// [`DiskError::Damaged`] if the mesh is not what was written.
+    pub fn file_faces(&self) -> Result<Vec<u32>, DiskError> {
+        self.read_mesh(|bytes| file_faces_of(bytes, self.manifest.mesh.faces))
     }
 
-    fn read_mesh<T>(&self, arrays: impl FnOnce(&mut ArrayReader) -> Result<T, String>) -> Result<T, CacheError> {
+    fn read_mesh<T>(&self, arrays: impl FnOnce(&[u8]) -> Result<T, String>) -> Result<T, DiskError> {
         let path = self.folder.join("mesh.npz");
-        let damaged = |reason: String| CacheError::Damaged { path: path.clone(), reason, remedy: RESTART };
+        let damaged = |reason: String| DiskError::Damaged { path: path.clone(), reason, remedy: RESTART };
         let bytes = read(&path)?.ok_or_else(|| damaged("it is not there".into()))?;
         if crc32fast::hash(&bytes) != self.manifest.mesh_crc32 {
             return Err(damaged("its checksum does not match".into()));
         }
-        ArrayReader::new(&bytes).and_then(|mut file| arrays(&mut file)).map_err(damaged)
+        arrays(&bytes).map_err(damaged)
     }
 
     /// Writes a frame, replacing the one that may be there.
     ///
     /// # Errors
-    /// [`CacheError::Unfit`] if an array does not fit the mesh or a number is not finite,
-    /// [`CacheError::Io`] if the system refuses; then the frame counts as not done.
-    pub fn write_frame(&self, frame: &Frame) -> Result<(), CacheError> {
+    /// [`DiskError::Unfit`] if an array does not fit the mesh or a number is not finite,
+    /// [`DiskError::Io`] if the system refuses; then the frame counts as not done.
+    pub fn write_frame(&self, frame: &Frame) -> Result<(), DiskError> {
         let MeshCounts { vertices, edges, faces, .. } = self.manifest.mesh;
         let number = frame.report.frame;
-        frame.fits_counts(vertices, edges, faces).map_err(|reason| CacheError::Unfit { frame: number, reason })?;
+        frame.fits_counts(vertices, edges, faces).map_err(|reason| DiskError::Unfit { frame: number, reason })?;
         let state_path = self.state_path(number);
-        let bytes = to_npz(frame).map_err(CacheError::io(&state_path, "written"))?;
+        let bytes = to_npz(frame).map_err(DiskError::io(&state_path, "written"))?;
         write_unless_same(&state_path, &bytes)?;
         let record = FrameRecord {
             format: FORMAT,
@@ -198,18 +181,18 @@ impl Cache {
             report: frame.report.clone(),
         };
         let record_path = self.record_path(number);
-        write_atomically(&record_path, &sealed(&record_path, &record)?)
+        write_whole(&record_path, &sealed(&record_path, &record)?)
     }
 
     /// Reads a frame that verifies.
     ///
     /// # Errors
-    /// [`CacheError::Missing`] if it is not there, [`CacheError::Damaged`] and [`CacheError::Version`]
+    /// [`DiskError::Missing`] if it is not there, [`DiskError::Damaged`] and [`DiskError::Version`]
     /// if it is not what was written.
-    pub fn read_frame(&self, frame: usize) -> Result<Frame, CacheError> {
+    pub fn read_frame(&self, frame: usize) -> Result<Frame, DiskError> {
         let (bytes, report) = self.verified(frame)?;
         let path = self.state_path(frame);
-        from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| CacheError::Damaged {
+        from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| DiskError::Damaged {
             path,
             reason,
             remedy: SIMULATE_AGAIN,
@@ -219,8 +202,8 @@ impl Cache {
     /// Reads the report of a frame that verifies.
     ///
     /// # Errors
-    /// Those of [`Cache::read_frame`].
-    pub fn read_report(&self, frame: usize) -> Result<FrameReport, CacheError> {
+    /// Those of [`FilmFolder::read_frame`].
+    pub fn read_report(&self, frame: usize) -> Result<FrameReport, DiskError> {
         Ok(self.verified(frame)?.1)
     }
 
@@ -228,12 +211,12 @@ impl Cache {
     /// on after it. `None` if frame 1 has to be computed.
     ///
     /// # Errors
-    /// [`CacheError::Io`] if a frame is there but the system refuses to read it.
-    pub fn last_valid_frame(&self) -> Result<Option<usize>, CacheError> {
+    /// [`DiskError::Io`] if a frame is there but the system refuses to read it.
+    pub fn last_valid_frame(&self) -> Result<Option<usize>, DiskError> {
         for frame in 1..=self.manifest.frame_count {
             match self.verified(frame) {
                 Ok(_) => {}
-                Err(CacheError::Io { path, action, source }) => return Err(CacheError::Io { path, action, source }),
+                Err(DiskError::Io { path, action, source }) => return Err(DiskError::Io { path, action, source }),
                 Err(_) => return Ok((frame > 1).then(|| frame - 1)),
             }
         }
@@ -243,8 +226,8 @@ impl Cache {
     /// The frames whose files are there, done or not, in order.
     ///
     /// # Errors
-    /// [`CacheError::Io`]
-    pub fn frames(&self) -> Result<Vec<usize>, CacheError> {
+    /// [`DiskError::Io`]
+    pub fn frames(&self) -> Result<Vec<usize>, DiskError> {
         let files = frame_files(&self.folder)?;
         let records = files.iter().filter(|path| path.extension().is_some_and(|ending| ending == "json"));
         Ok(records.filter_map(|path| frame_number(path)).collect())
@@ -253,20 +236,20 @@ impl Cache {
     /// Removes files of frames that the film does not have, as a longer one leaves them. Returns their names.
     ///
     /// # Errors
-    /// [`CacheError::Io`]
-    pub fn remove_frames_beyond(&self) -> Result<Vec<String>, CacheError> {
+    /// [`DiskError::Io`]
+    pub fn remove_frames_beyond(&self) -> Result<Vec<String>, DiskError> {
         let beyond = |path: &PathBuf| frame_number(path).is_some_and(|k| k == 0 || k > self.manifest.frame_count);
         let old: Vec<PathBuf> = frame_files(&self.folder)?.into_iter().filter(beyond).collect();
         old.iter().try_for_each(|path| remove(path))?;
         Ok(old.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect())
     }
 
-    fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), CacheError> {
+    fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), DiskError> {
         let record_path = self.record_path(frame);
-        let bytes = read(&record_path)?.ok_or_else(|| CacheError::Missing { path: record_path.clone() })?;
+        let bytes = read(&record_path)?.ok_or_else(|| DiskError::Missing { path: record_path.clone() })?;
         let record: FrameRecord = unseal(&bytes).map_err(|error| broken_seal(&record_path, error, SIMULATE_AGAIN))?;
         let path = self.state_path(frame);
-        let damaged = |path: &Path, reason: &str| CacheError::Damaged {
+        let damaged = |path: &Path, reason: &str| DiskError::Damaged {
             path: path.to_owned(),
             reason: reason.to_owned(),
             remedy: SIMULATE_AGAIN,
@@ -291,12 +274,12 @@ impl Cache {
 }
 
 /// The files of frames, records (.json) before states: a frame without a record is not done.
-fn frame_files(folder: &Path) -> Result<Vec<PathBuf>, CacheError> {
+fn frame_files(folder: &Path) -> Result<Vec<PathBuf>, DiskError> {
     let frames = folder.join("frames");
     let mut files = Vec::new();
     if frames.is_dir() {
-        for entry in fs::read_dir(&frames).map_err(CacheError::io(&frames, "read"))? {
-            let path = entry.map_err(CacheError::io(&frames, "read"))?.path();
+        for entry in fs::read_dir(&frames).map_err(DiskError::io(&frames, "read"))? {
+            let path = entry.map_err(DiskError::io(&frames, "read"))?.path();
             let ending = path.extension().and_then(|ending| ending.to_str());
             if frame_number(&path).is_some() && matches!(ending, Some("json" | "npz")) {
                 files.push(path);
@@ -307,34 +290,23 @@ fn frame_files(folder: &Path) -> Result<Vec<PathBuf>, CacheError> {
     Ok(files)
 }
 
-fn mesh_npz(mesh: &Mesh, places: Option<&[DVec3]>) -> io::Result<Vec<u8>> {
-    let mut file = ArrayWriter::new();
-    file.array("triangles", &[mesh.face_count() as u64, 3], mesh.triangles().into_iter().flatten())?;
-    file.array("file_vertex", &[mesh.vertex_count() as u64], mesh.file_vertices())?;
-    file.array("file_face", &[mesh.face_count() as u64], mesh.file_faces())?;
-    if let Some(places) = places {
-        file.array("places", &[places.len() as u64, 3], places.iter().flat_map(|place| place.to_array()))?;
-    }
-    file.finish()
-}
-
 fn frame_number(path: &Path) -> Option<usize> {
     let stem = path.file_stem()?.to_str()?;
     (stem.len() == 6 && stem.bytes().all(|b| b.is_ascii_digit())).then(|| stem.parse().ok()).flatten()
 }
 
 /// A file that already has the bytes is left alone, so that looking at a film does not touch it.
-fn write_unless_same(path: &Path, bytes: &[u8]) -> Result<(), CacheError> {
-    if read(path)?.as_deref() == Some(bytes) { Ok(()) } else { write_atomically(path, bytes) }
+fn write_unless_same(path: &Path, bytes: &[u8]) -> Result<(), DiskError> {
+    if read(path)?.as_deref() == Some(bytes) { Ok(()) } else { write_whole(path, bytes) }
 }
 
-fn sealed(path: &Path, record: &impl Serialize) -> Result<Vec<u8>, CacheError> {
-    seal(record).map_err(|error| CacheError::io(path, "written")(error.into()))
+fn sealed(path: &Path, record: &impl Serialize) -> Result<Vec<u8>, DiskError> {
+    seal(record).map_err(|error| DiskError::io(path, "written")(error.into()))
 }
 
-fn broken_seal(path: &Path, error: SealError, remedy: &'static str) -> CacheError {
+fn broken_seal(path: &Path, error: SealError, remedy: &'static str) -> DiskError {
     match error {
-        SealError::Version(found) => CacheError::Version { path: path.to_owned(), found },
-        SealError::Damaged(reason) => CacheError::Damaged { path: path.to_owned(), reason, remedy },
+        SealError::Version(found) => DiskError::Version { path: path.to_owned(), found },
+        SealError::Damaged(reason) => DiskError::Damaged { path: path.to_owned(), reason, remedy },
     }
 }

@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::manifest::MeshCounts;
+use super::manifest::{FORMAT, MeshCounts};
 use super::npz::{ArrayReader, ArrayWriter};
 use crate::algebra::Complex;
 use crate::evolve::{Frame, FrameReport};
@@ -14,7 +14,7 @@ use glam::{DQuat, DVec3};
 pub(super) fn to_npz(frame: &Frame) -> io::Result<Vec<u8>> {
     let count = |n: usize| n as u64;
     let mut file = ArrayWriter::new();
-    file.array("format", &[], [super::FORMAT])?;
+    file.array("format", &[], [FORMAT])?;
     file.array("frame", &[], [count(frame.report.frame)])?;
     file.array("time", &[], [frame.report.time])?;
     let positions = frame.positions.iter().flat_map(|p| p.to_array());

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 /// What a film is of.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Film {
+pub struct FilmSpec {
     /// Name of the scene, for messages.
     pub scene: String,
     /// Two films with the same fingerprint have the same frames.
@@ -17,10 +17,10 @@ pub struct Film {
     pub checks: ChecksSection,
 }
 
-impl Film {
+impl FilmSpec {
     /// The film of a scene.
-    pub fn of(scene: &Scene) -> Film {
-        Film {
+    pub fn of(scene: &Scene) -> FilmSpec {
+        FilmSpec {
             scene: scene.name.clone(),
             fingerprint: scene.simulation_fingerprint(),
             frame_count: scene.clock.frames,
@@ -60,11 +60,11 @@ impl MeshCounts {
 /// `manifest.json`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Manifest {
-    /// [`FORMAT`](super::FORMAT).
+    /// Version of all files in the folder.
     pub format: u32,
     /// Name of the scene.
     pub scene: String,
-    /// [`Film::fingerprint`].
+    /// [`FilmSpec::fingerprint`].
     pub fingerprint: u32,
     /// How many frames the film will have.
     pub frame_count: usize,
@@ -75,3 +75,6 @@ pub struct Manifest {
     /// What must hold on the last frame.
     pub checks: ChecksSection,
 }
+
+/// Version of all files in the folder. Raised when their meaning changes.
+pub(super) const FORMAT: u32 = 1;

@@ -4,7 +4,8 @@
 //! renders/<scene name>/
 //!     manifest.json        format version, what was simulated, mesh counts, checks
 //!     mesh.npz             triangles (F x 3, u32); file_vertex (V, u32) and file_face (F, u32), the numbers of vertices and
-//!                          polygons in the mesh file, from 0; places (V x 3), x, y and z of scenes, if the mesh has any
+//!                          polygons in the mesh file, from 0; pinned (V, u8), 1 for vertices that are held; places (V x 3),
+//!                          x, y and z of scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, and the checksum of the state
 //! ```
@@ -14,17 +15,14 @@
 //! state is the same bytes from run to run; what depends on the machine (seconds) stands in the report.
 
 mod error;
-mod file;
-mod film;
-mod frame;
+mod folder;
+mod frame_file;
 mod manifest;
+mod mesh_file;
 mod npz;
+mod seal;
 
-pub use crate::evolve::FrameReport;
-pub use error::CacheError;
-pub(crate) use file::write_atomically;
-pub use film::Cache;
-pub use manifest::{Film, Manifest, MeshCounts};
-
-/// Version of all files in the folder. Raised when their meaning changes.
-pub const FORMAT: u32 = 1;
+pub use error::DiskError;
+pub use folder::FilmFolder;
+pub use manifest::{FilmSpec, Manifest, MeshCounts};
+pub use mesh_file::FilmMesh;

@@ -1,48 +1,35 @@
 //! Files that are whole or absent, and JSON that carries its own checksum.
 
-use std::fs::{self, File};
-use std::io::{self, Write};
+use std::fs;
+use std::io;
 use std::path::Path;
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::error::CacheError;
+use super::error::DiskError;
+use super::manifest::FORMAT;
+use crate::whole_file;
 
 /// Writes a file so that after a crash at any instant there is the old one, the new one or none.
-pub(crate) fn write_atomically(path: &Path, bytes: &[u8]) -> Result<(), CacheError> {
-    let folder = path.parent().unwrap_or(Path::new("."));
-    let write = || -> io::Result<()> {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".").suffix(".part");
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(folder)?;
-        file.write_all(bytes)?;
-        file.as_file().sync_all()?;
-        file.persist(path).map_err(|error| error.error)?;
-        // The rename itself lasts only once the folder is on disk.
-        #[cfg(unix)]
-        File::open(folder)?.sync_all()?;
-        Ok(())
-    };
-    write().map_err(CacheError::io(path, "written"))
+pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), DiskError> {
+    whole_file::write(path, bytes).map_err(DiskError::io(path, "written"))
 }
 
 /// Removes a file if it is there.
-pub(super) fn remove(path: &Path) -> Result<(), CacheError> {
+pub(super) fn remove(path: &Path) -> Result<(), DiskError> {
     match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(CacheError::io(path, "removed")(error)),
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(DiskError::io(path, "removed")(error)),
         _ => Ok(()),
     }
 }
 
 /// The bytes of a file, or `None` if it is not there.
-pub(super) fn read(path: &Path) -> Result<Option<Vec<u8>>, CacheError> {
+pub(super) fn read(path: &Path) -> Result<Option<Vec<u8>>, DiskError> {
     match fs::read(path) {
         Ok(bytes) => Ok(Some(bytes)),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(CacheError::io(path, "read")(error)),
+        Err(error) => Err(DiskError::io(path, "read")(error)),
     }
 }
 
@@ -74,7 +61,7 @@ pub(super) fn unseal<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, SealError> 
     let opened = sealed.and_then(|(crc, rest)| Some((crc, rest.strip_prefix(SUFFIX)?)));
     let checks = opened.is_some_and(|(crc, body)| crc == format!("{:08x}", crc32fast::hash(body.as_bytes())));
     match serde_json::from_str::<Version>(text) {
-        Ok(Version { format }) if format != u64::from(super::FORMAT) => return Err(SealError::Version(format)),
+        Ok(Version { format }) if format != u64::from(FORMAT) => return Err(SealError::Version(format)),
         Ok(_) if checks => {}
         Ok(_) => return Err(damaged("its checksum does not match")),
         Err(error) => return Err(SealError::Damaged(format!("it is not the JSON that was written: {error}"))),

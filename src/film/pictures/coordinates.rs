@@ -1,25 +1,21 @@
 //! What the patterns of a look run along: coordinates of the mesh as fields.
 
-use std::collections::BinaryHeap;
 use std::sync::Arc;
 
 use glam::DVec3;
 
+use crate::film::disk::FilmMesh;
 use crate::immersion::FieldValues;
-use crate::mesh::Mesh;
-use crate::mesh::shapes::Shape;
+use crate::mesh::VertexId;
+use crate::metric::shortest_paths;
 use crate::render::Field;
-use crate::scene::{MeshSection, PatternAlong};
+use crate::scene::PatternAlong;
 use crate::timeline::{Formula, Parameters, TimelineError};
 
 /// What is known of the mesh apart from its shape in space.
-pub struct Chart<'a> {
-    /// Connectivity.
-    pub mesh: &'a Mesh,
-    /// Where it comes from; flat tori have coordinates that go around.
-    pub section: &'a MeshSection,
-    /// One x, y, z per vertex: positions, or coordinates of the chart; none for tables of lengths.
-    pub places: Option<&'a [DVec3]>,
+pub(super) struct Chart<'a> {
+    /// Connectivity, places, and the sides of a flat torus, whose coordinates go around.
+    pub surface: &'a FilmMesh,
     /// One per edge.
     pub edge_lengths: &'a [f64],
 }
@@ -50,7 +46,7 @@ impl Chart<'_> {
     /// The height z; on flat meshes the distance from the origin, on flat tori the part of the way along `b`, and
     /// without places the distance from the first vertex.
     fn height(&self, count: usize) -> Field {
-        let Some(places) = self.places else { return spread(self.distances(), count) };
+        let Some(places) = &self.surface.places else { return spread(self.distances(), count) };
         if let Some(lattice) = self.lattice() {
             return around(places.iter().map(|&place| lattice(place)[1]), count);
         }
@@ -64,7 +60,7 @@ impl Chart<'_> {
 
     /// The part of the way around the z axis, or along `a` of a flat torus.
     fn angle(&self, count: usize) -> Option<Field> {
-        let places = self.places?;
+        let places = self.surface.places.as_ref()?;
         let turn = |place: &DVec3| libm::atan2(place.y, place.x) / std::f64::consts::TAU;
         Some(match self.lattice() {
             Some(lattice) => around(places.iter().map(|&place| lattice(place)[0]), count),
@@ -74,8 +70,7 @@ impl Chart<'_> {
 
     /// Parts of the way along the lattice vectors of a flat torus.
     fn lattice(&self) -> Option<impl Fn(DVec3) -> [f64; 2]> {
-        let MeshSection::Shape(Shape::FlatTorus { a, b, .. }) = *self.section else { return None };
-        let (a, b) = (glam::DVec2::from(a), glam::DVec2::from(b));
+        let [a, b] = self.surface.lattice?.map(glam::DVec2::from);
         let area = a.perp_dot(b);
         Some(move |place: DVec3| [place.truncate().perp_dot(b) / area, a.perp_dot(place.truncate()) / area])
     }
@@ -83,34 +78,14 @@ impl Chart<'_> {
     fn formula(&self, text: &str, count: usize, parameters: &Arc<Parameters>) -> Result<Field, TimelineError> {
         let formula = Formula::parse(text, &["x", "y", "z"], parameters)?;
         let at = formula.at(0.0);
-        let places = self.places.unwrap_or_default();
+        let places = self.surface.places.as_deref().unwrap_or_default();
         let values = places.iter().map(|place| at.value(&place.to_array())).collect::<Vec<f64>>();
         Ok(if places.is_empty() { self.height(count) } else { spread(values, count) })
     }
 
-    /// Lengths of the shortest paths along edges from vertex 0 (Dijkstra); 0 where none leads.
+    /// Lengths of the shortest paths along edges from vertex 0; 0 where none leads.
     fn distances(&self) -> Vec<f64> {
-        let mut distances = vec![f64::INFINITY; self.mesh.vertex_count()];
-        let mut open = BinaryHeap::new();
-        if let Some(first) = distances.first_mut() {
-            *first = 0.0;
-            open.push((std::cmp::Reverse(0.0_f64.to_bits()), 0_usize));
-        }
-        // Bits of numbers that are not negative are in the order of the numbers.
-        while let Some((std::cmp::Reverse(bits), vertex)) = open.pop() {
-            let distance = f64::from_bits(bits);
-            if distance > distances[vertex] {
-                continue;
-            }
-            for halfedge in self.mesh.outgoing(crate::mesh::VertexId::new(vertex)) {
-                let tip = self.mesh.tip(halfedge).index();
-                let longer = distance + self.edge_lengths[self.mesh.edge(halfedge).index()];
-                if longer < distances[tip] {
-                    distances[tip] = longer;
-                    open.push((std::cmp::Reverse(longer.to_bits()), tip));
-                }
-            }
-        }
+        let distances = shortest_paths(&self.surface.mesh, self.edge_lengths, VertexId::new(0));
         distances.into_iter().map(|distance| if distance.is_finite() { distance } else { 0.0 }).collect()
     }
 }

@@ -1,8 +1,8 @@
 //! Texts with facts of a frame filled in.
 
-use super::MovieError;
+use crate::film::error::FilmError;
 use crate::{
-    cache::FrameReport,
+    evolve::FrameReport,
     render::{Corner, LookName, fill_in},
     scene::{Scene, TextSection},
 };
@@ -19,8 +19,8 @@ pub(super) fn texts(scene: &Scene) -> Vec<TextSection> {
 /// The texts of a scene as they stand on a frame of a surface with so many faces.
 ///
 /// # Errors
-/// [`MovieError::Scene`] if one asks for what is not known.
-pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Result<Vec<String>, MovieError> {
+/// [`FilmError::Scene`] if one asks for what is not known.
+pub(super) fn labels(scene: &Scene, report: &FrameReport, faces: usize) -> Result<Vec<String>, FilmError> {
     let facts = [
         ("scene", scene.name.clone()),
         ("frame", report.frame.to_string()),

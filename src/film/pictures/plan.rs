@@ -1,8 +1,9 @@
 //! What a scene asks of its pictures.
 
-use super::{MovieError, gif, labels::labels};
+use super::labels::labels;
 use crate::{
-    cache::FrameReport,
+    evolve::FrameReport,
+    film::{animation::gif_note, error::FilmError},
     render::{Lights, Look, Output, Png, View},
     scene::{AnimationFormat, Scene, build},
     timeline::{Clock, Formula},
@@ -28,12 +29,12 @@ impl<'a> Plan<'a> {
     /// Validates what can be without the surface.
     ///
     /// # Errors
-    /// [`MovieError::Scene`], [`MovieError::Render`], [`MovieError::WithoutMp4`]
-    pub fn of(scene: &'a Scene) -> Result<Plan<'a>, MovieError> {
+    /// [`FilmError::Scene`], [`FilmError::Render`], [`FilmError::WithoutMp4`]
+    pub fn of(scene: &'a Scene) -> Result<Plan<'a>, FilmError> {
         let output = build::output(scene)?;
         let view = build::view(scene)?;
         if cfg!(not(feature = "mp4")) && scene.output.animation.contains(&AnimationFormat::Mp4) {
-            return Err(MovieError::WithoutMp4);
+            return Err(FilmError::WithoutMp4);
         }
         labels(scene, &FrameReport::default(), 0)?;
         Ok(Plan {
@@ -57,7 +58,7 @@ impl<'a> Plan<'a> {
     pub fn notes(&self) -> Vec<String> {
         let output = &self.scene.output;
         let frames = self.scene.clock.frames;
-        let of_gif = output.animation.contains(&AnimationFormat::Gif).then(|| gif::note(output.frame_rate, frames));
+        let of_gif = output.animation.contains(&AnimationFormat::Gif).then(|| gif_note(output.frame_rate, frames));
         of_gif.flatten().into_iter().collect()
     }
 
@@ -76,8 +77,8 @@ impl<'a> Plan<'a> {
     }
 }
 
-fn hide(scene: &Scene) -> Result<Option<Formula>, MovieError> {
+fn hide(scene: &Scene) -> Result<Option<Formula>, FilmError> {
     let Some(text) = &scene.look.hide else { return Ok(None) };
-    let parameters = scene.parameters().map_err(MovieError::from)?;
+    let parameters = scene.parameters().map_err(FilmError::from)?;
     Ok(Some(scene.formula("look.hide", text, &["x", "y", "z"], &parameters)?))
 }

@@ -1,11 +1,12 @@
 //! Fields of frames: what colours, patterns and layers show.
 
-use std::sync::Arc;
-
-use super::{MovieError, Plan, coordinates::Chart};
+use super::{coordinates::Chart, plan::Plan};
 use crate::{
-    cache::Cache,
     evolve::Frame,
+    film::{
+        disk::{FilmFolder, FilmMesh},
+        error::FilmError,
+    },
     immersion::{FieldInput, FieldName, FieldValues, Fields},
     mesh::Mesh,
     metric::Metric,
@@ -58,17 +59,18 @@ impl Spreads {
 }
 
 impl Measures {
-    pub fn of(plan: &Plan, cache: &Cache, mesh: &Arc<Mesh>) -> Result<Measures, MovieError> {
+    pub fn of(plan: &Plan, folder: &FilmFolder, surface: &FilmMesh) -> Result<Measures, FilmError> {
         let look = &plan.scene.look;
         let is_map = matches!(plan.look.paint, Paint::Map { .. });
         let color = look.color.as_ref().map(|color| color.field).or(is_map.then_some(FieldName::LengthError));
         let layers = if plan.output.has_layers() { plan.scene.output.fields.clone() } else { Vec::new() };
-        let along = along(plan, cache, mesh)?;
+        let along = along(plan, folder, surface)?;
         let wanted = color.is_some() || !layers.is_empty() || matches!(along, Along::Field(..));
         let fields = if wanted {
-            let first = cache.read_frame(1)?;
+            let first = folder.read_frame(1)?;
             // Energies are those of the reports.
-            Some(Fields::new(Arc::clone(mesh), metric(mesh, &first)?, first.report.stiffness))
+            let metric = metric(&surface.mesh, &first)?;
+            Some(Fields::new(surface.mesh.clone(), metric, first.report.stiffness))
         } else {
             None
         };
@@ -76,10 +78,10 @@ impl Measures {
     }
 
     /// The fields of a frame.
-    pub fn at(&self, mesh: &Mesh, state: &Frame) -> Result<Quantities, MovieError> {
-        let basis = self.basis(mesh, state)?;
+    pub fn at(&self, mesh: &Mesh, frame: &Frame) -> Result<Quantities, FilmError> {
+        let basis = self.basis(mesh, frame)?;
         let field =
-            |name: FieldName| Ok::<_, MovieError>(self.values(&basis, name, state)?.map(|of| Field::new(name, of)));
+            |name: FieldName| Ok::<_, FilmError>(self.values(&basis, name, frame)?.map(|of| Field::new(name, of)));
         Ok(Quantities {
             color: self.color.map(field).transpose()?.flatten(),
             along: match &self.along {
@@ -102,16 +104,16 @@ impl Measures {
     }
 
     /// How the values of a frame are spread, as far as the look depends on it.
-    pub fn spreads(&self, plan: &Plan, mesh: &Mesh, state: &Frame) -> Result<Spreads, MovieError> {
+    pub fn spreads(&self, plan: &Plan, mesh: &Mesh, frame: &Frame) -> Result<Spreads, FilmError> {
         let mut spreads = Spreads::default();
-        let basis = self.basis(mesh, state)?;
+        let basis = self.basis(mesh, frame)?;
         if let Some(name) = self.free_color(plan)
-            && let Some(values) = self.values(&basis, name, state)?
+            && let Some(values) = self.values(&basis, name, frame)?
         {
             spreads.color.add(&values);
         }
         if let Along::Field(name, _) = self.along
-            && let Some(values) = self.values(&basis, name, state)?
+            && let Some(values) = self.values(&basis, name, frame)?
         {
             spreads.along.add(&values);
         }
@@ -140,16 +142,16 @@ impl Measures {
     }
 
     /// What the fields of a frame are computed from, if any are asked for.
-    fn basis(&self, mesh: &Mesh, state: &Frame) -> Result<Option<Basis>, MovieError> {
+    fn basis(&self, mesh: &Mesh, frame: &Frame) -> Result<Option<Basis>, FilmError> {
         if self.fields.is_none() {
             return Ok(None);
         }
-        Ok(Some(Basis { metric: metric(mesh, state)?, spin: state.spin.clone() }))
+        Ok(Some(Basis { metric: metric(mesh, frame)?, spin: frame.spin.clone() }))
     }
 
-    fn values(&self, basis: &Option<Basis>, name: FieldName, state: &Frame) -> Result<Option<FieldValues>, MovieError> {
+    fn values(&self, basis: &Option<Basis>, name: FieldName, frame: &Frame) -> Result<Option<FieldValues>, FilmError> {
         let (Some(fields), Some(Basis { metric, spin })) = (&self.fields, basis) else { return Ok(None) };
-        let input = FieldInput { metric, positions: &state.positions, frames: &state.face_frames, spin };
+        let input = FieldInput { metric, positions: &frame.positions, frames: &frame.face_frames, spin };
         fields.of(name, &input).map(Some).map_err(|error| damaged(error.to_string()))
     }
 }
@@ -160,7 +162,7 @@ struct Basis {
     spin: SpinStructure,
 }
 
-fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {
+fn along(plan: &Plan, folder: &FilmFolder, surface: &FilmMesh) -> Result<Along, FilmError> {
     let scene = plan.scene;
     let (along, count) = match (&scene.look.pattern, scene.look.preset) {
         (Some(pattern), _) => (&pattern.along, pattern.count),
@@ -170,23 +172,21 @@ fn along(plan: &Plan, cache: &Cache, mesh: &Mesh) -> Result<Along, MovieError> {
     if let PatternAlong::Field(name) = along {
         return Ok(Along::Field(*name, count));
     }
-    let places = cache.places()?;
-    let first = cache.read_frame(1)?;
-    let chart = Chart { mesh, section: &scene.mesh, places: places.as_deref(), edge_lengths: &first.edge_lengths };
+    let first = folder.read_frame(1)?;
+    let chart = Chart { surface, edge_lengths: &first.edge_lengths };
     let parameters = scene.parameters()?;
-    chart
-        .coordinates(along, count, &parameters)
-        .map(|fields| Along::Mesh(Box::new(fields)))
-        .map_err(|error| MovieError::of_scene(scene, "look.pattern.along", &error.to_string()))
+    let fields = chart.coordinates(along, count, &parameters);
+    let fields = fields.map_err(|error| scene.complain_about("look.pattern.along", &error))?;
+    Ok(Along::Mesh(Box::new(fields)))
 }
 
 /// Bands of the look that is named for them, if the scene says nothing else.
 const BANDS: usize = 12;
 
-fn metric(mesh: &Mesh, state: &Frame) -> Result<Metric, MovieError> {
-    Metric::new(mesh, state.edge_lengths.clone()).map_err(|error| damaged(error.to_string()))
+fn metric(mesh: &Mesh, frame: &Frame) -> Result<Metric, FilmError> {
+    Metric::new(mesh, frame.edge_lengths.clone()).map_err(|error| damaged(error.to_string()))
 }
 
-fn damaged(reason: String) -> MovieError {
-    MovieError::Field { reason }
+fn damaged(reason: String) -> FilmError {
+    FilmError::Field { reason }
 }

@@ -4,21 +4,24 @@ use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use rayon::prelude::*;
 
-use super::{Arrivals, MovieError, Plan, quantities::Spreads, subject::Subject};
+use super::{arrivals::Arrivals, plan::Plan, quantities::Spreads, subject::Subject};
 use crate::{
-    cache::{Cache, CacheError},
     evolve::Frame,
+    film::{
+        disk::{DiskError, FilmFolder},
+        error::FilmError,
+    },
     render::Extent,
 };
 
 /// Frames in memory, by number.
-pub(super) type States = BTreeMap<usize, Arc<Frame>>;
+pub(super) type Frames = BTreeMap<usize, Arc<Frame>>;
 
 /// The frames of a film.
 #[derive(Debug)]
 pub(super) struct Reel<'a> {
-    cache: Cache,
-    states: States,
+    film: FilmFolder,
+    frames: Frames,
     arrivals: &'a Arrivals,
 }
 
@@ -26,33 +29,33 @@ impl Reel<'_> {
     /// Opens a film when its first frame is there.
     ///
     /// # Errors
-    /// [`MovieError::NoSuchFrame`] if none comes, [`MovieError::Cache`] if there is no film.
-    pub fn open<'a>(folder: &Path, arrivals: &'a Arrivals) -> Result<Reel<'a>, MovieError> {
+    /// [`FilmError::NoSuchFrame`] if none comes, [`FilmError::Disk`] if there is no film.
+    pub fn open<'a>(folder: &Path, arrivals: &'a Arrivals) -> Result<Reel<'a>, FilmError> {
         if !arrivals.wait_for(1) {
-            return Err(MovieError::NoSuchFrame { folder: folder.to_owned(), frame: 1 });
+            return Err(FilmError::NoSuchFrame { folder: folder.to_owned(), frame: 1 });
         }
-        Ok(Reel { cache: Cache::open(folder)?, states: BTreeMap::new(), arrivals })
+        Ok(Reel { film: FilmFolder::open(folder)?, frames: BTreeMap::new(), arrivals })
     }
 
     /// Waits for the last of these frames.
-    fn wait_for(&self, frames: &[usize]) -> Result<(), MovieError> {
+    fn wait_for(&self, frames: &[usize]) -> Result<(), FilmError> {
         match frames.last() {
             Some(&frame) if !self.arrivals.wait_for(frame) => Err(self.no_such(frame)),
             _ => Ok(()),
         }
     }
 
-    fn no_such(&self, frame: usize) -> MovieError {
-        MovieError::NoSuchFrame { folder: self.cache.folder().to_owned(), frame }
+    fn no_such(&self, frame: usize) -> FilmError {
+        FilmError::NoSuchFrame { folder: self.film.folder().to_owned(), frame }
     }
 
-    pub fn cache(&self) -> &Cache {
-        &self.cache
+    pub fn film(&self) -> &FilmFolder {
+        &self.film
     }
 
     /// Bytes of a frame in memory.
     pub fn frame_bytes(&self) -> usize {
-        let counts = &self.cache.manifest().mesh;
+        let counts = &self.film.manifest().mesh;
         24 * counts.vertices + 25 * counts.edges + 32 * counts.faces
     }
 
@@ -60,20 +63,20 @@ impl Reel<'_> {
     /// others are let go.
     ///
     /// # Errors
-    /// [`MovieError::NoSuchFrame`] if no more will come.
-    pub fn load(&mut self, frames: &[usize]) -> Result<States, MovieError> {
+    /// [`FilmError::NoSuchFrame`] if no more will come.
+    pub fn load(&mut self, frames: &[usize]) -> Result<Frames, FilmError> {
         self.wait_for(frames)?;
-        self.states.retain(|frame, _| frames.contains(frame));
-        let missing: Vec<usize> = frames.iter().copied().filter(|frame| !self.states.contains_key(frame)).collect();
-        let read: Vec<_> = missing.par_iter().map(|&frame| self.cache.read_frame(frame)).collect();
-        for (frame, state) in missing.into_iter().zip(read) {
-            let state = state.map_err(|error| match error {
-                CacheError::Missing { .. } => self.no_such(frame),
+        self.frames.retain(|frame, _| frames.contains(frame));
+        let missing: Vec<usize> = frames.iter().copied().filter(|frame| !self.frames.contains_key(frame)).collect();
+        let read: Vec<_> = missing.par_iter().map(|&frame| self.film.read_frame(frame)).collect();
+        for (number, frame) in missing.into_iter().zip(read) {
+            let frame = frame.map_err(|error| match error {
+                DiskError::Missing { .. } => self.no_such(number),
                 error => error.into(),
             })?;
-            self.states.insert(frame, Arc::new(state));
+            self.frames.insert(number, Arc::new(frame));
         }
-        Ok(self.states.clone())
+        Ok(self.frames.clone())
     }
 
     /// Passes over so many frames as they come, up to the last one before which every frame is there and verifies, and
@@ -85,14 +88,14 @@ impl Reel<'_> {
         count: usize,
         at_a_time: usize,
         mut advance: impl FnMut(usize),
-    ) -> Result<(usize, Extent, Spreads), MovieError> {
+    ) -> Result<(usize, Extent, Spreads), FilmError> {
         let (mut whole, mut spreads) = (Extent::default(), Spreads::default());
         let frames: Vec<usize> = (1..=count).collect();
         for some in frames.chunks(at_a_time.max(1)) {
             self.wait_for(some)?;
-            let look_at = |&frame: &usize| -> Result<(Extent, Spreads), MovieError> {
-                let state = self.cache.read_frame(frame)?;
-                Ok((subject.extent(&state), subject.spreads(plan, &state)?))
+            let look_at = |&frame: &usize| -> Result<(Extent, Spreads), FilmError> {
+                let frame = self.film.read_frame(frame)?;
+                Ok((subject.extent(&frame), subject.spreads(plan, &frame)?))
             };
             let seen: Vec<_> = some.par_iter().map(look_at).collect();
             for (&frame, seen) in some.iter().zip(seen) {
@@ -101,7 +104,7 @@ impl Reel<'_> {
                         whole.merge(&extent);
                         spreads.merge(&of_frame);
                     }
-                    Err(MovieError::Cache(error)) if !matches!(error, CacheError::Io { .. }) => {
+                    Err(FilmError::Disk(error)) if !matches!(error, DiskError::Io { .. }) => {
                         return Ok((frame - 1, whole, spreads));
                     }
                     Err(error) => return Err(error),

@@ -3,13 +3,14 @@
 use glam::DVec3;
 
 use super::{
-    MovieError, Plan,
     labels::{labels, texts},
+    plan::Plan,
     quantities::Spreads,
     subject::Subject,
 };
 use crate::{
     evolve::Frame,
+    film::error::FilmError,
     render::{
         Camera, CameraMotion, Exposure, Extent, Legend, Look, Metadata, Output, Overlay, Picture, Plane, RenderError,
         render,
@@ -56,13 +57,13 @@ impl<'a> Shots<'a> {
 
     /// A picture of a frame. While the shutter is open, vertices go straight toward the frame after it, and the camera
     /// goes on its way; layers are those of the moment when it opens. Without a next frame nothing moves.
-    pub fn take(&self, state: &Frame, next: Option<&Frame>) -> Result<Picture, MovieError> {
+    pub fn take(&self, frame: &Frame, next: Option<&Frame>) -> Result<Picture, FilmError> {
         let camera_section = &self.plan.scene.camera;
-        let here = self.camera_at(state.report.frame, 0.0);
-        let mut moment = self.subject.moment(self.plan, state, next)?;
+        let here = self.camera_at(frame.report.frame, 0.0);
+        let mut moment = self.subject.moment(self.plan, frame, next)?;
         let goals = moment.next_positions.clone();
         // Where they are going as seen from here, though the camera moves too.
-        let carried = here.as_seen_by(&self.camera_at(state.report.frame, 1.0));
+        let carried = here.as_seen_by(&self.camera_at(frame.report.frame, 1.0));
         moment.next_positions.iter_mut().for_each(|place| *place = carried.transform_point3(*place));
         let picture = |positions: &[DVec3], camera: &Camera, output: &Output| {
             let scenery = self.subject.scenery(&moment, positions, self.ground);
@@ -75,38 +76,38 @@ impl<'a> Shots<'a> {
                 let part = camera_section.shutter * sample as f64 / last as f64;
                 let positions: Vec<DVec3> =
                     moment.positions.iter().zip(&goals).map(|(from, to)| from.lerp(*to, part)).collect();
-                let camera = self.camera_at(state.report.frame, part);
+                let camera = self.camera_at(frame.report.frame, part);
                 exposure.add(&picture(&positions, &camera, &self.output.with_layers(false))?);
             }
         }
         let mut film = exposure.develop();
         let ink = film.ink();
-        film.draw_overlay(&self.overlay(state)?, ink);
+        film.draw_overlay(&self.overlay(frame)?, ink);
         Ok(film)
     }
 
-    fn overlay(&self, state: &Frame) -> Result<Overlay, MovieError> {
+    fn overlay(&self, frame: &Frame) -> Result<Overlay, FilmError> {
         let scene = self.plan.scene;
         let corners = texts(scene).into_iter().map(|section| section.corner);
         Ok(Overlay {
-            texts: corners.zip(labels(scene, &state.report, self.subject.faces())?).collect(),
+            texts: corners.zip(labels(scene, &frame.report, self.subject.faces())?).collect(),
             legend: self.legend.clone(),
             text_size: scene.look.text_size.unwrap_or(1.0) as f32,
         })
     }
 
     /// What is known of a picture.
-    pub fn metadata(&self, state: &Frame) -> Metadata {
+    pub fn metadata(&self, frame: &Frame) -> Metadata {
         let scene = self.plan.scene;
         Metadata {
             scene: scene.name.clone(),
             scene_hash: self.subject.scene_hash(),
-            frame: state.report.frame,
+            frame: frame.report.frame,
             frames: scene.clock.frames,
-            time: state.report.time,
+            time: frame.report.time,
             frame_rate: scene.output.frame_rate,
-            comment: labels(scene, &state.report, self.subject.faces()).unwrap_or_default().join("\n"),
-            camera: Some(self.camera_at(state.report.frame, 0.0)),
+            comment: labels(scene, &frame.report, self.subject.faces()).unwrap_or_default().join("\n"),
+            camera: Some(self.camera_at(frame.report.frame, 0.0)),
         }
     }
 

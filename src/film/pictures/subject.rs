@@ -6,16 +6,18 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::{
-    MovieError, Plan,
+    plan::Plan,
     quantities::{Measures, Quantities, Spreads},
 };
 use crate::{
-    cache::{Cache, CacheError},
     evolve::Frame,
+    film::{
+        disk::{FilmFolder, FilmMesh},
+        error::FilmError,
+    },
     immersion::pinch_points,
-    mesh::{self, EdgeId, Mesh, Surface},
+    mesh::{EdgeId, FaceId, Mesh},
     render::{Extent, Legend, Look, Plane, Scenery},
-    scene::{Scene, SceneErrors},
 };
 
 /// What is the same in all frames.
@@ -50,40 +52,37 @@ pub(super) struct Moment {
 }
 
 impl Subject {
-    pub fn of(plan: &Plan, cache: &Cache) -> Result<Subject, MovieError> {
+    pub fn of(plan: &Plan, folder: &FilmFolder) -> Result<Subject, FilmError> {
         let (scene, look) = (plan.scene, &plan.scene.look);
-        let triangles = cache.triangles()?;
-        let vertices = cache.manifest().mesh.vertices;
-        let mesh = Arc::new(Mesh::from_faces(vertices, &triangles).map_err(|error| CacheError::Damaged {
-            path: cache.folder().to_owned(),
-            reason: error.to_string(),
-            remedy: "run `immerse simulate --restart`",
-        })?);
-        let file_faces = if look.hide_faces.is_empty() { Vec::new() } else { cache.file_faces()? };
+        let surface = folder.mesh()?;
+        let FilmMesh { mesh, places, pins, .. } = &surface;
+        let triangles = mesh.triangles();
+        let file_faces = if look.hide_faces.is_empty() { Vec::new() } else { folder.file_faces()? };
         let polygons = file_faces.iter().max().map_or(0, |last| *last as usize + 1);
         if let Some(face) = look.hide_faces.iter().find(|&&face| face >= polygons) {
-            let message = format!("there is no face {face}; write indices below {polygons}");
-            return Err(MovieError::of_scene(scene, "look.hide_faces", &message));
+            let reason = format!("there is no face {face}");
+            return Err(scene.complain("look.hide_faces", reason, format!("write indices below {polygons}")).into());
         }
         let hidden_faces = hidden_faces(&look.hide_faces, &file_faces);
-        let pins = if scene.pins.is_empty() { Vec::new() } else { pins_of(scene, &surface_of(scene, &triangles)?)? };
-        let middles = if plan.hide.is_some() {
-            let places = cache.places()?.ok_or_else(|| {
-                let message = "the mesh has no positions; name faces by index with hide_faces";
-                MovieError::of_scene(scene, "look.hide", message)
-            })?;
-            let middle = |corners: &[u32; 3]| corners.iter().map(|&v| places[v as usize]).sum::<DVec3>() / 3.0;
-            triangles.iter().map(middle).collect()
-        } else {
-            Vec::new()
+        let pins = pins.iter().map(|v| v.0).collect();
+        let middles = match (&plan.hide, places) {
+            (None, _) => Vec::new(),
+            (Some(_), None) => {
+                let remedy = "name faces by index with hide_faces";
+                return Err(scene.complain("look.hide", "the mesh has no positions", remedy).into());
+            }
+            (Some(_), Some(places)) => {
+                let middle = |corners: &[u32; 3]| corners.iter().map(|&v| places[v as usize]).sum::<DVec3>() / 3.0;
+                triangles.iter().map(middle).collect()
+            }
         };
-        let components = if look.explode > 0.0 { components(&mesh) } else { Vec::new() };
-        let boundary = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| ends(&mesh, e)).collect();
+        let components = if look.explode > 0.0 { components(mesh) } else { Vec::new() };
+        let boundary = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| ends(mesh, e)).collect();
         let explode = look.explode;
-        let scene_hash = cache.manifest().fingerprint;
-        let measures = Measures::of(plan, cache, &mesh)?;
+        let scene_hash = folder.manifest().fingerprint;
+        let measures = Measures::of(plan, folder, &surface)?;
         Ok(Subject {
-            mesh,
+            mesh: mesh.clone(),
             measures,
             triangles,
             boundary,
@@ -107,12 +106,12 @@ impl Subject {
     }
 
     /// Where the vertices of a frame are in the picture: components are moved away from the middle of all.
-    pub fn positions(&self, state: &Frame) -> Vec<DVec3> {
-        let mut positions = state.positions.clone();
+    pub fn positions(&self, frame: &Frame) -> Vec<DVec3> {
+        let mut positions = frame.positions.clone();
         let mean = |points: &mut dyn Iterator<Item = DVec3>, count: usize| points.sum::<DVec3>() / count.max(1) as f64;
-        let middle = mean(&mut state.positions.iter().copied(), state.positions.len());
+        let middle = mean(&mut frame.positions.iter().copied(), frame.positions.len());
         for component in &self.components {
-            let own = mean(&mut component.iter().map(|&v| state.positions[v as usize]), component.len());
+            let own = mean(&mut component.iter().map(|&v| frame.positions[v as usize]), component.len());
             let shift = (own - middle) * self.explode;
             component.iter().for_each(|&v| positions[v as usize] += shift);
         }
@@ -120,8 +119,8 @@ impl Subject {
     }
 
     /// What the camera has to know of a frame.
-    pub fn extent(&self, state: &Frame) -> Extent {
-        Extent::of_surface(&self.positions(state), &self.triangles)
+    pub fn extent(&self, frame: &Frame) -> Extent {
+        Extent::of_surface(&self.positions(frame), &self.triangles)
     }
 
     /// Whether the look depends on how the values of all frames are spread.
@@ -130,8 +129,8 @@ impl Subject {
     }
 
     /// How the values of a frame are spread, as far as the look depends on it.
-    pub fn spreads(&self, plan: &Plan, state: &Frame) -> Result<Spreads, MovieError> {
-        self.measures.spreads(plan, &self.mesh, state)
+    pub fn spreads(&self, plan: &Plan, frame: &Frame) -> Result<Spreads, FilmError> {
+        self.measures.spreads(plan, &self.mesh, frame)
     }
 
     /// The look with the ranges of what it shows, and the key to its colours.
@@ -140,14 +139,14 @@ impl Subject {
     }
 
     /// What is seen of a frame; the one after it tells where vertices go.
-    pub fn moment(&self, plan: &Plan, state: &Frame, next: Option<&Frame>) -> Result<Moment, MovieError> {
+    pub fn moment(&self, plan: &Plan, frame: &Frame, next: Option<&Frame>) -> Result<Moment, FilmError> {
         Ok(Moment {
-            positions: self.positions(state),
+            positions: self.positions(frame),
             next_positions: next.map(|next| self.positions(next)).unwrap_or_default(),
-            shown: self.shown(plan, state.report.time),
-            rims: state.rims.iter().map(|&e| ends(&self.mesh, e)).collect(),
-            pinch_points: pinch_points(&self.mesh, &state.positions).into_iter().map(|v| v.0).collect(),
-            quantities: self.measures.at(&self.mesh, state)?,
+            shown: self.shown(plan, frame.report.time),
+            rims: frame.rims.iter().map(|&e| ends(&self.mesh, e)).collect(),
+            pinch_points: pinch_points(&self.mesh, &frame.positions).into_iter().map(|v| v.0).collect(),
+            quantities: self.measures.at(&self.mesh, frame)?,
         })
     }
 
@@ -197,24 +196,9 @@ fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
     mesh.edge_vertices(e).map(|v| v.0)
 }
 
-/// The surface that the scene names, if it is still that of the film.
-fn surface_of(scene: &Scene, triangles: &[[u32; 3]]) -> Result<Surface, MovieError> {
-    let at_fault = |message: &str| MovieError::of_scene(scene, "mesh.file", message);
-    let surface = scene.surface().map_err(|error| MovieError::Scene(SceneErrors::Mistakes(vec![error])))?;
-    if surface.mesh.triangles() != triangles {
-        return Err(at_fault("the mesh is not that of the film; simulate it anew"));
-    }
-    Ok(surface)
-}
-
-fn pins_of(scene: &Scene, surface: &Surface) -> Result<Vec<u32>, MovieError> {
-    let pins = scene.pins(surface, &scene.parameters()?)?;
-    Ok(pins.vertices().iter().map(|v| v.0).collect())
-}
-
 /// Vertices of each component, each once.
 fn components(mesh: &Mesh) -> Vec<Vec<u32>> {
-    let vertices = |faces: Vec<mesh::FaceId>| {
+    let vertices = |faces: Vec<FaceId>| {
         let mut vertices: Vec<u32> = faces.into_iter().flat_map(|face| mesh.corners(face)).map(|v| v.0).collect();
         vertices.sort_unstable();
         vertices.dedup();

@@ -2,7 +2,6 @@
 
 mod error;
 mod obj;
-mod whole_file;
 
 pub use error::WriteError;
 pub use obj::write_obj;

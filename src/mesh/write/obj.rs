@@ -1,13 +1,13 @@
 //! Wavefront OBJ: a `v` line for each vertex and an `f` line for each face.
 
-use std::io::Write;
+use std::fmt::Write;
 use std::path::Path;
 
 use glam::DVec3;
 
 use super::error::WriteError;
-use super::whole_file::write_whole;
 use crate::mesh::Mesh;
+use crate::whole_file;
 
 /// Writes a mesh with the positions of its vertices, |V|, as an OBJ file.
 ///
@@ -26,15 +26,18 @@ pub fn write_obj(path: &Path, mesh: &Mesh, positions: &[DVec3]) -> Result<(), Wr
         let position = positions[vertex].to_array();
         return Err(WriteError::NotFinite { path: path.to_owned(), vertex, position });
     }
-    write_whole(path, |file| {
-        for DVec3 { x, y, z } in positions {
-            // This form has an exponent where the number is very large or very small.
-            writeln!(file, "v {x:?} {y:?} {z:?}")?;
-        }
-        for face in mesh.faces() {
-            let [a, b, c] = mesh.corners(face).map(|v| v.index() + 1);
-            writeln!(file, "f {a} {b} {c}")?;
-        }
-        Ok(())
-    })
+    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty() && !folder.is_dir()) {
+        return Err(WriteError::NoFolder { path: path.to_owned(), folder: folder.to_owned() });
+    }
+    let mut text = String::new();
+    for DVec3 { x, y, z } in positions {
+        // This form has an exponent where the number is very large or very small. Writing to a string does not fail.
+        let _ = writeln!(text, "v {x:?} {y:?} {z:?}");
+    }
+    for face in mesh.faces() {
+        let [a, b, c] = mesh.corners(face).map(|v| v.index() + 1);
+        let _ = writeln!(text, "f {a} {b} {c}");
+    }
+    whole_file::write(path, text.as_bytes())
+        .map_err(|error| WriteError::Io { path: path.to_owned(), reason: error.to_string() })
 }

@@ -1,0 +1,79 @@
+//! Why a command failed, and whose fault it is.
+
+use std::io;
+use std::path::PathBuf;
+
+use super::frame_range::FrameRangeError;
+use crate::evolve::EvolveError;
+use crate::film::{DiskError, FilmError};
+use crate::scene::{SceneError, SceneErrors};
+
+/// Why a command did not do what it should.
+#[derive(Debug, thiserror::Error)]
+pub enum PipelineError {
+    /// The scene file cannot be read, or has mistakes, or what it names is at fault.
+    #[error(transparent)]
+    Scene(#[from] SceneErrors),
+    /// The simulation ended without a frame.
+    #[error(transparent)]
+    Evolve(#[from] EvolveError),
+    /// The folder of the film is at fault.
+    #[error(transparent)]
+    Disk(#[from] DiskError),
+    /// Pictures cannot be made.
+    #[error(transparent)]
+    Film(FilmError),
+}
+
+impl From<FilmError> for PipelineError {
+    fn from(error: FilmError) -> Self {
+        match error {
+            FilmError::Scene(errors) => PipelineError::Scene(errors),
+            other => PipelineError::Film(other),
+        }
+    }
+}
+
+impl From<SceneError> for PipelineError {
+    fn from(mistake: SceneError) -> Self {
+        PipelineError::Scene(SceneErrors::Mistakes(vec![mistake]))
+    }
+}
+
+impl PipelineError {
+    /// Whether another input would help, rather than another machine or another try.
+    pub fn is_fault_of_input(&self) -> bool {
+        match self {
+            PipelineError::Scene(_) => true,
+            PipelineError::Disk(error) => !matches!(error, DiskError::Io { .. } | DiskError::Unfit { .. }),
+            PipelineError::Film(error) => error.is_fault_of_input(),
+            PipelineError::Evolve(_) => false,
+        }
+    }
+}
+
+/// Why a command failed.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Failure {
+    #[error(transparent)]
+    Pipeline(#[from] PipelineError),
+    #[error("--frames: {0}")]
+    Frames(#[from] FrameRangeError),
+    #[error("standard output cannot be written ({0}); check where it goes")]
+    Output(#[from] io::Error),
+    #[error("{}: cannot be written ({source}); choose another name or folder", path.display())]
+    New { path: PathBuf, source: io::Error },
+    #[error("{}: this folder cannot be used ({source}); name another one, or go where it is", path.display())]
+    Folder { path: PathBuf, source: io::Error },
+    #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
+    /// Has been said already.
+    #[error("not all is well")]
+    NotWell,
+}
+
+impl From<DiskError> for Failure {
+    fn from(error: DiskError) -> Self {
+        Failure::Pipeline(error.into())
+    }
+}

@@ -1,0 +1,67 @@
+//! From a scene to a simulation, with what is worth saying of it.
+
+use glam::DVec3;
+
+use super::failure::PipelineError;
+use crate::evolve::{EvolveError, Simulation};
+use crate::film::FilmMesh;
+use crate::mesh::shapes::Shape;
+use crate::scene::{MeshSection, Scene, clock_of};
+
+/// A simulation, and what was known of its surface before.
+pub(super) struct SetUp {
+    pub simulation: Simulation,
+    /// What x, y and z of each vertex mean in the scene, |V|: positions or coordinates of the mesh, if it has any.
+    pub places: Option<Vec<DVec3>>,
+    /// What had to be repaired in the mesh, and what else is worth saying.
+    pub notes: Vec<String>,
+}
+
+impl SetUp {
+    /// What is kept of the surface beside the frames of its film.
+    pub fn film_mesh(&self, scene: &Scene) -> FilmMesh {
+        let lattice = match scene.mesh {
+            MeshSection::Shape(Shape::FlatTorus { a, b, .. }) => Some([a, b]),
+            _ => None,
+        };
+        FilmMesh {
+            mesh: self.simulation.mesh().clone(),
+            places: self.places.clone(),
+            pins: self.simulation.pinned().to_vec(),
+            lattice,
+        }
+    }
+
+    /// Of a scene; what is at fault is shown where the scene names it.
+    pub fn of(scene: &Scene) -> Result<SetUp, PipelineError> {
+        let surface = scene.surface()?;
+        let places = surface.places().map(<[DVec3]>::to_vec);
+        let mut notes = surface.repairs.clone();
+        let simulation = scene.simulation_of(surface)?;
+        let of_metric = simulation.metric_program().notes();
+        notes.extend(of_metric.into_iter().map(|(change, note)| format!("metric.change[{change}]: {note}")));
+        Ok(SetUp { simulation, places, notes })
+    }
+}
+
+/// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
+pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
+    if scene.clock.a_frame_for_each_class {
+        scene.clock = clock_of(scene, &scene.surface()?.mesh)?;
+    }
+    Ok(())
+}
+
+/// An error of a running simulation, shown where the scene names what is at fault, if it does.
+pub(super) fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
+    match scene.fault(&error) {
+        Some(mistake) => mistake.into(),
+        None => error.into(),
+    }
+}
+
+/// Warnings about pins that no surface with these lengths can keep.
+pub(super) fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
+    let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
+    Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
+}

@@ -1,0 +1,29 @@
+//! From the frames of a film to its pictures.
+//!
+//! A [`Plan`] is what a scene asks of its pictures, validated before anything is computed. A survey passes over the frames
+//! once for their extents, so that one camera holds for the whole film whichever of its frames are wanted. Then shots are
+//! taken, several at a time as memory allows, written as they are done, and handed in order to moving pictures. The files are
+//! the same bytes for any number of threads, and whether or not frames are still being computed meanwhile ([`Arrivals`]).
+
+mod arrivals;
+mod coordinates;
+mod event;
+mod in_order;
+mod labels;
+mod memory;
+mod plan;
+mod quantities;
+mod reel;
+mod sheet;
+mod sheets;
+mod shoot;
+mod shots;
+mod stills;
+mod subject;
+mod survey;
+
+pub use arrivals::Arrivals;
+pub use event::{Event, Watch};
+pub use plan::Plan;
+pub use sheets::{make_look_sheet, make_poster};
+pub use stills::{make_pictures, make_pictures_of_arrivals};

@@ -1,0 +1,49 @@
+//! A film is passed over before pictures of it are made.
+
+use std::path::Path;
+
+use super::arrivals::Arrivals;
+use super::event::{Event, Watch};
+use super::memory::at_a_time;
+use super::plan::Plan;
+use super::quantities::Spreads;
+use super::reel::Reel;
+use super::subject::Subject;
+use crate::film::error::FilmError;
+use crate::render::{Extent, Metadata};
+use crate::scene::Framed;
+
+/// A film that was passed over once.
+pub(super) struct Survey<'a> {
+    pub reel: Reel<'a>,
+    pub subject: Subject,
+    pub extent: Extent,
+    pub spreads: Spreads,
+}
+
+/// Passes over all frames, or the first one if nothing depends on the others, and makes sure that the wanted ones are
+/// there if it comes by them.
+pub(super) fn survey<'a>(
+    plan: &Plan,
+    folder: &Path,
+    frames: &[usize],
+    arrivals: &'a Arrivals,
+    watch: &mut Watch,
+) -> Result<Survey<'a>, FilmError> {
+    let reel = Reel::open(folder, arrivals)?;
+    let subject = Subject::of(plan, reel.film())?;
+    let depends_on_all = plan.scene.camera.framed == Framed::Film || subject.spreads_matter(plan);
+    let count = if depends_on_all { reel.film().manifest().frame_count } else { 1 };
+    watch(Event::Begin("camera", count));
+    let at_a_time = at_a_time(reel.frame_bytes());
+    let (ready, extent, spreads) = reel.pass(plan, &subject, count, at_a_time, |frame| watch(Event::Done(frame)))?;
+    match frames.iter().find(|&&frame| ready < count && frame > ready) {
+        Some(&frame) => Err(FilmError::NoSuchFrame { folder: folder.to_owned(), frame }),
+        None => Ok(Survey { reel, subject, extent, spreads }),
+    }
+}
+
+/// What a file that shows the whole film says of itself.
+pub(super) fn metadata(plan: &Plan, survey: &Survey) -> Metadata {
+    Metadata { scene: plan.scene.name.clone(), scene_hash: survey.subject.scene_hash(), ..Metadata::default() }
+}
