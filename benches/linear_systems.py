@@ -2,7 +2,7 @@
 
     python linear_systems.py cg|cholmod FOLDER STATES [--repeats 3]
 
-FOLDER and STATES are what `cargo bench --bench speed -- step NAME folder=FOLDER` writes there and prints. The systems are
+FOLDER and STATES are what `cargo bench --locked --bench speed -- step NAME folder=FOLDER` writes there and prints. The systems are
 those of the paper, (M + Δt L) x = M λ with start λ; those of the program are the same in another basis, so that a residual
 relative to that of the start means the same. Prints one line of JSON.
 """

@@ -89,7 +89,7 @@ class Ours:
     """The bench of this crate, which renders on demand."""
 
     def __init__(self, folder):
-        command = ["cargo", "bench", "-q", "--bench", "render", "--", "serve", folder]
+        command = ["cargo", "bench", "-q", "--locked", "--bench", "render", "--", "serve", folder]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
         assert self.process.stdout.readline().strip() == "ready"
 

@@ -11,5 +11,5 @@ fi
 python=target/llvmpipe
 [ -x $python/bin/python ] || python3 -m venv $python
 $python/bin/python -c 'import moderngl, numpy' 2>/dev/null || $python/bin/pip install -q moderngl numpy
-cargo bench --bench render --no-run
+cargo bench --locked --bench render --no-run
 exec env EGL_PLATFORM=surfaceless LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe $python/bin/python benches/llvmpipe.py "$@"

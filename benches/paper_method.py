@@ -3,7 +3,7 @@ unpreconditioned conjugate gradients, positions by Algorithm 7.
 
     python paper_method.py PROBLEM [--target 0.005] [--schedule short|even|torus]
 
-PROBLEM is a folder that `cargo bench --bench speed -- problem NAME PROBLEM` writes: triangles, edge lengths, spin
+PROBLEM is a folder that `cargo bench --locked --bench speed -- problem NAME PROBLEM` writes: triangles, edge lengths, spin
 connection and random frames. Everything else follows from them as in Appendix D. The run ends as soon as the length error is
 below the target and there are no rims. Prints one line of JSON.
 

@@ -49,7 +49,7 @@ class Bench:
 
     @staticmethod
     def build(words, target):
-        command = ["cargo", words[0], "--message-format=json", *words[1:]]
+        command = ["cargo", words[0], "--locked", "--message-format=json", *words[1:]]
         built = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True).stdout
         messages = [json.loads(line) for line in built.splitlines() if line.startswith("{")]
         return next(m["executable"] for m in messages if m.get("executable") and m["target"]["name"] == target)
