@@ -29,7 +29,6 @@ mod whole;
 
 use std::{collections::HashMap, error::Error, path::Path, process::Command};
 
-use immerse::evolve::Simulation;
 use serde_json::{Value, json};
 
 fn measure(words: &[String]) -> Result<Value, Box<dyn Error>> {
@@ -41,7 +40,7 @@ fn measure(words: &[String]) -> Result<Value, Box<dyn Error>> {
         "whole" => whole::run(surface, number("target")?, number("steps")?.map(|steps| steps as usize))?,
         "step" => step::run(surface, number("repeats")?.unwrap_or(3.0) as usize, folder)?,
         "problem" => {
-            let simulation = Simulation::from_scene(&scenes::scene(surface)?)?;
+            let simulation = scenes::scene(surface)?.simulation()?;
             step::write_problem(&simulation, folder.ok_or("say folder=DIR")?)?;
             json!({ "faces": simulation.mesh().face_count() })
         }

@@ -4,8 +4,9 @@ use std::{error::Error, fs, path::Path, time::Instant};
 
 use glam::DQuat;
 use immerse::{
-    evolve::Simulation,
+    evolve::{Phase, Simulation},
     frames::{Shell, StepOptions, Stepper},
+    tuning::SOLVER_TOLERANCE,
 };
 use serde_json::{Value, json};
 
@@ -53,13 +54,19 @@ pub const BYTES_PER_ITERATION: f64 = {
 /// Times whole steps (assembly, factorization, solve), `repeats` times each, and if a folder is given writes the problem
 /// and the frames of each state there.
 pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, Box<dyn Error>> {
-    let simulation = Simulation::from_scene(&scene(name)?)?;
+    let simulation = scene(name)?.simulation()?;
     let shell = Shell::new(simulation.mesh(), simulation.metric(), &simulation.spin(), None);
     if let Some(folder) = folder {
         write_problem(&simulation, folder)?;
     }
-    let phases: Vec<StepOptions> =
-        simulation.phases().iter().map(|phase| StepOptions { crease: 0.0, ..phase.step }).collect();
+    let options = |phase: &Phase| StepOptions {
+        method: phase.method,
+        stiffness: phase.stiffness,
+        crease: 0.0,
+        dt: phase.dt.in_face_areas(shell.face_count()),
+        solver_tolerance: SOLVER_TOLERANCE,
+    };
+    let phases: Vec<StepOptions> = simulation.phases().iter().map(options).collect();
     let mut frames = simulation.face_frames();
     drop(simulation);
     let mut stepper = Stepper::new(&shell);

@@ -2,7 +2,7 @@
 
 use std::{error::Error, ops::ControlFlow, time::Instant};
 
-use immerse::evolve::{EvolveError, Observer, Progress, Simulation};
+use immerse::evolve::{EvolveError, Observer, Progress};
 use serde_json::{Value, json};
 
 use super::scenes::scene;
@@ -53,16 +53,21 @@ pub fn run(name: &str, target: Option<f64>, steps_per_phase: Option<usize>) -> R
         simulation.change_phases(|phases| {
             for phase in phases {
                 phase.max_steps = phase.max_steps.min(steps);
+                phase.min_steps = phase.min_steps.min(phase.max_steps);
                 phase.untangle_steps = 0;
             }
-        });
+        })?;
     }
     // A relaxation that is given its number of steps does not start over because of rims.
     let cut = steps_per_phase.map(|steps| steps * simulation.phases().len());
     let mut tally =
         Tally { phases: Vec::new(), restarts: 0, last: Instant::now(), target: target.unwrap_or(0.0), pause: 0 };
     let frame = loop {
-        match simulation.relax(cut, &mut tally) {
+        let outcome = match cut {
+            None => simulation.relax(&mut tally),
+            Some(steps) => simulation.advance(steps, &mut tally),
+        };
+        match outcome {
             Ok(frame) => break frame,
             Err(EvolveError::Stopped { .. }) => {
                 let frame = simulation.advance(0, &mut tally)?;

@@ -2,9 +2,9 @@
 
 use crate::support::{program, scene};
 use immerse::cli::checks_of;
-use immerse::evolve::{FrameReport, NO_CLASS, Simulation, Unobserved, clock_of};
+use immerse::evolve::{FrameReport, NO_CLASS, Unobserved};
 use immerse::immersion::pinch_points;
-use immerse::scene::{ChecksSection, ClockSection};
+use immerse::scene::{ChecksSection, ClockSection, clock_of};
 use immerse::spin::Homology;
 use std::path::Path;
 use tempfile::TempDir;
@@ -102,7 +102,7 @@ fn a_pinched_surface_has_no_class() {
     assert_eq!(frame.report.spin_class, "—");
     assert_eq!(NO_CLASS, "—");
     let good = FrameReport { frame: 1, spin_class: "00".into(), ..FrameReport::default() };
-    let film = [good.clone(), FrameReport { frame: 2, pinch_points: 3, ..frame.report }, good];
+    let film = [good.clone(), FrameReport { frame: 2, pinch_points: 3, ..frame.report.clone() }, good];
     let checks = ChecksSection { class: Some("00".into()), ..ChecksSection::default() };
     let found = &checks_of(&checks, &film)[0];
     assert!(!found.holds && found.value == "—");
@@ -144,7 +144,7 @@ fn check_says_whether_start_and_target_are_in_one_class() {
     let own = simulation.class_of_start().unwrap().unwrap();
     for digits in ["00", "01", "10", "11"] {
         let text = check(&format!("{torus}[start]\nfrom = 'mesh'\n[spin]\nclass = '{digits}'\n"));
-        let is_own = immerse::spin::class_digits(&own) == digits;
+        let is_own = own.to_string() == digits;
         assert_eq!(text.contains("start and target are in one class"), is_own, "{digits}: {text}");
         assert_eq!(text.contains("not in one class"), !is_own, "{digits}: {text}");
     }

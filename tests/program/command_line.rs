@@ -5,10 +5,13 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 use glam::{DQuat, DVec3};
-use immerse::cache::{Cache, Film, FrameReport, FrameState};
+use immerse::algebra::Complex;
+use immerse::cache::{Cache, Film, FrameReport};
 use immerse::cli::checks_of;
+use immerse::evolve::Frame;
 use immerse::mesh::Mesh;
 use immerse::scene::{ChecksSection, FilmChecksSection};
+use immerse::spin::SpinStructure;
 
 fn immerse(folder: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
@@ -38,14 +41,12 @@ fn film(folder: &Path, checks: ChecksSection) -> Cache {
             ..Default::default()
         };
         cache
-            .write_frame(&FrameState {
-                frame,
-                time: 0.0,
+            .write_frame(&Frame {
                 positions: vec![DVec3::ZERO; 4],
-                frames: vec![DQuat::IDENTITY; 4],
-                transport: vec![[1.0, 0.0]; 6],
+                face_frames: vec![DQuat::IDENTITY; 4],
+                spin: SpinStructure::from_transports(&mesh, vec![Complex::ONE; 6]).unwrap(),
                 edge_lengths: vec![1.0; 6],
-                rims: vec![false; 6],
+                rims: Vec::new(),
                 report,
             })
             .unwrap();

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::support::{program, scene};
 use immerse::cli::{checks_of, verdict};
-use immerse::evolve::{BendingError, FrameReport, Places, Simulation, Unobserved};
+use immerse::evolve::{BendingError, FrameReport, Places, Unobserved};
 use immerse::immersion::bending_angles;
 use immerse::mesh::shapes;
 use immerse::scene::ChecksSection;
@@ -121,8 +121,8 @@ fn films_are_judged_by_where_they_lead() {
 fn angles_that_are_not_reached_are_measured() {
     let ball = shapes::sphere(1.0, 6).expect("a sphere");
     let text = "[start]\nfrom = 'mesh'\n[bending]\nfrom = 'mesh'\namount = 0.5";
-    let mut simulation = Simulation::new(&scene(text), ball.clone()).expect("a simulation");
-    let report = simulation.relax(&mut Unobserved).expect("a frame").report;
+    let mut simulation = scene(text).simulation_of(ball.clone()).expect("a simulation");
+    let report = simulation.relax(&mut Unobserved).expect("a frame").report.clone();
     let angles = bending_angles(&ball.mesh, ball.positions.as_deref().expect("positions"));
     let largest = angles.iter().map(|angle| 0.5 * angle.abs().to_degrees()).fold(0.0, f64::max);
     let error = report.bending_error.expect("targets");
@@ -140,8 +140,8 @@ fn angles_that_are_not_reached_are_measured() {
     assert_eq!(holds(&checks(0.9 * error.rms_degrees, 0.9 * error.max_degrees)), [false, false]);
 
     let all = "[start]\nfrom = 'mesh'\n[bending]\nfrom = 'mesh'";
-    let reached = Simulation::new(&scene(all), ball.clone()).expect("a simulation").relax(&mut Unobserved);
+    let reached = scene(all).simulation_of(ball.clone()).expect("a simulation").relax(&mut Unobserved);
     assert!(reached.expect("a frame").report.bending_error.expect("targets").max_degrees < 0.01);
-    let without = Simulation::new(&scene(""), ball).expect("a simulation").relax(&mut Unobserved);
+    let without = scene("").simulation_of(ball).expect("a simulation").relax(&mut Unobserved);
     assert_eq!(without.expect("a frame").report.bending_error, None);
 }

@@ -5,7 +5,7 @@ use glam::{DQuat, DVec3};
 use immerse::mesh::{FaceId, HalfedgeId, Mesh, Surface};
 use immerse::metric::Metric;
 use immerse::render::{Camera, Extent, View};
-use immerse::scene::Scene;
+use immerse::scene::{Scene, SceneError};
 use immerse::spin::Strip;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -184,6 +184,12 @@ pub fn distance_up_to_rigid_motion(a: &[DVec3], b: &[DVec3]) -> f64 {
 /// A scene from its text.
 pub fn scene(text: &str) -> Scene {
     Scene::parse(text, "test", Path::new(".")).expect("a valid scene")
+}
+
+/// Whether an error of a scene points to what stands at a key, or to its table where it was left out.
+pub fn is_at(scene: &Scene, key: &str, error: &SceneError) -> bool {
+    let there = scene.complain(key, "", "");
+    (error.line, error.column, error.span) == (there.line, there.column, there.span)
 }
 
 /// A surface that is known by its positions.

@@ -3,13 +3,14 @@
 use crate::support::{Random, diameter, distance_up_to_rigid_motion, random_metric, scene, surface};
 use glam::{DMat3, DQuat, DVec3};
 use immerse::algebra::Complex;
-use immerse::evolve::{Frame, Phase, Simulation, Unobserved, default_phases};
+use immerse::evolve::{Frame, Phase, Schedule, TimeStep, Unobserved};
 use immerse::frames::{Method, Shell, StepOptions, Stepper, random_frames};
 use immerse::immersion::{Periods, Poisson, edge_vectors, frames_of_edge_vectors, frames_of_positions, rims};
 use immerse::mesh::{EdgeId, Mesh, Surface};
 use immerse::metric::{Metric, lengths_of_positions};
 use immerse::spin::{Homology, SpinStructure};
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 
 /// Another description of a surface: face `f` of the old one is face `faces[f]` of the new one, with its corner
 /// `corners[f]` in front, and its frame has the other sign if `signs[f]`; vertex `v` becomes `vertices[v]`.
@@ -113,7 +114,8 @@ impl State {
             let same_side = mesh.edge_halfedge(edge).face().index() == change.faces[i];
             transports[edge.index()] = if same_side { tau } else { tau.conjugate() };
         }
-        State { mesh, metric, spin: SpinStructure::from_transports(transports), frames }
+        let spin = SpinStructure::from_transports(&mesh, transports).expect("unit transports");
+        State { mesh, metric, spin, frames }
     }
 
     /// The step of a simulation, three times: positions and rims.
@@ -202,17 +204,17 @@ fn deformed(genus: usize, boundaries: usize) -> Surface {
 }
 
 /// A few steps of all kinds from the given map.
-fn relax(surface: &Surface) -> Frame {
+fn relax(surface: &Surface) -> Arc<Frame> {
     let scene = scene("[spin]\nclass = 'immersion'\n[start]\nfrom = 'mesh'");
     let mut simulation = scene.simulation_of(surface.clone()).expect("a simulation");
-    let mut phases = default_phases(surface.mesh.face_count());
+    let mut phases = Schedule::default().phases().to_vec();
     phases.truncate(4);
     for (k, phase) in phases.iter_mut().enumerate() {
         let accelerate = k == 3;
-        let step = StepOptions { solver_tolerance: 1e-14, dt: 3.0, ..phase.step };
-        *phase = Phase { step, min_steps: 3, max_steps: 3, tolerance_radians: 1e-20, accelerate, ..*phase };
+        let dt = TimeStep::FaceAreas(3.0);
+        *phase = Phase { dt, min_steps: 3, max_steps: 3, tolerance_radians: 1e-20, accelerate, ..*phase };
     }
-    simulation.change_phases(|own| own.clone_from(&phases));
+    simulation.change_phases(|own| own.clone_from(&phases)).expect("phases");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert_eq!(frame.report.cursor.steps, 12);
     frame

@@ -1,15 +1,17 @@
 //! Films of surfaces whose metric, pins or bending change with time: what every frame must satisfy, closed forms, and
 //! the same bits however the film was made.
 
-use crate::support::{program, scene};
+use crate::support::{is_at, program, scene};
 use glam::{DMat3, DVec3};
 use immerse::cache::{Cache, FrameReport};
-use immerse::evolve::{Checkpoint, EvolveError, Frame, Observer, Progress, Simulation, Unobserved};
+use immerse::evolve::{EvolveError, Frame, Observer, Progress, Simulation, Unobserved};
 use immerse::mesh::EdgeId;
+use immerse::metric::{MetricPart, NoMetric};
 use immerse::spin::class_digits;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
 const TORUS: &str = "[mesh]\nshape = 'torus'\nminor_radius = 0.4\ncolumns = 16\nrows = 12\n[start]\nfrom = 'mesh'\n";
 const SPHERE: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 5\n[start]\nfrom = 'mesh'\n";
@@ -18,14 +20,14 @@ const RICCI: &str = "[[metric.change]]\nkind = 'ricci'\n";
 const WAVE: &str = "[[metric.change]]\nkind = 'conformal'\nlog_scale = '0.2 * (x*cos(2*PI*t) + y*sin(2*PI*t))'\n";
 
 fn simulation(text: &str) -> Simulation {
-    Simulation::from_scene(&scene(text)).expect(text)
+    scene(text).simulation().expect(text)
 }
 
 /// All frames of a film, every one compared with the one before.
-fn film(text: &str) -> (Simulation, Vec<Frame>) {
+fn film(text: &str) -> (Simulation, Vec<Arc<Frame>>) {
     let mut simulation = simulation(text);
     let count = scene(text).clock.frames;
-    let (mut frames, mut lengths): (Vec<Frame>, Vec<f64>) = (Vec::new(), Vec::new());
+    let (mut frames, mut lengths): (Vec<Arc<Frame>>, Vec<f64>) = (Vec::new(), Vec::new());
     let class = simulation.spin().class(simulation.mesh(), simulation.metric(), simulation.homology());
     for number in 1..=count {
         let frame = simulation.next_frame(&mut Unobserved).expect("a frame");
@@ -34,7 +36,7 @@ fn film(text: &str) -> (Simulation, Vec<Frame>) {
         assert_eq!(now, class, "frame {number} is of another class");
         assert_eq!(simulation.spin().figure_8_vertices(simulation.mesh(), simulation.metric()), [] as [usize; 0]);
         assert_eq!(frame.report.rims, frame.rims.len());
-        assert_report(&simulation, frames.last(), &frame, &lengths);
+        assert_report(&simulation, frames.last().map(|frame| &**frame), &frame, &lengths);
         lengths = simulation.metric().edge_lengths().to_vec();
         frames.push(frame);
     }
@@ -225,12 +227,11 @@ fn all_classes_in_binary_order() {
     let text = "[mesh]\nshape = 'flat_torus'\ncolumns = 12\nrows = 10\n[spin]\nclass = 'all'\n[start]\nfrom = 'spectral'\n\
                 [[phase]]\nmax_steps = 6\n[clock]\nframes = 4\n";
     let mut all = simulation(text);
-    let mut all_times =
-        immerse::timeline::Clock::from_scene(&scene(text).clock).times().collect::<Vec<_>>().into_iter();
+    let mut all_times = all.clock().times().collect::<Vec<_>>().into_iter();
     for expected in ["00", "01", "10", "11"] {
         let frame = all.next_frame(&mut Unobserved).expect("a frame");
-        assert_eq!(class_digits(&all.spin().class(&all.mesh, &all.metric, &all.homology)), expected);
-        assert_eq!(all.spin().figure_8_vertices(&all.mesh, &all.metric), [] as [usize; 0]);
+        assert_eq!(class_digits(&all.spin().class(all.mesh(), all.metric(), all.homology())), expected);
+        assert_eq!(all.spin().figure_8_vertices(all.mesh(), all.metric()), [] as [usize; 0]);
         assert_eq!((frame.report.cursor.steps, frame.report.max_move), (6, 0.0), "every one starts over");
         // As the scene of that class alone.
         assert_eq!(frame.report.time, all_times.next().expect("a time"));
@@ -240,7 +241,7 @@ fn all_classes_in_binary_order() {
     }
     let one_too_many = scene(&text.replace("frames = 4", "frames = 5"));
     let error = one_too_many.simulation().expect_err("five of four classes");
-    assert_eq!((error.key(), error.to_string().contains("5 frames")), ("clock.frames", true), "{error}");
+    assert!(is_at(&one_too_many, "clock.frames", &error) && error.to_string().contains("5 frames"), "{error}");
 }
 
 /// What every step was.
@@ -285,25 +286,18 @@ fn assert_resumes(text: &str) {
     };
     let count = scene(text).clock.frames;
     let mut whole = simulation(text);
-    let mut checkpoints = Vec::new();
+    let mut frames = Vec::new();
     let mut states = Vec::new();
     for number in 1..=count {
         let frame = whole.next_frame(&mut Unobserved).expect("a frame");
         states.push(bits(&frame, &whole));
-        checkpoints.push(Checkpoint {
-            frame: number,
-            frames: whole.face_frames(),
-            spin: whole.spin(),
-            edge_lengths: whole.metric().edge_lengths().to_vec(),
-            positions: frame.positions,
-            rims: frame.rims,
-            cursors: frame.report.cursors(),
-        });
+        assert_eq!(frame.report.frame, number);
+        frames.push(frame);
     }
-    for checkpoint in checkpoints.into_iter().take(count - 1) {
-        let after = checkpoint.frame;
+    for frame in frames.into_iter().take(count - 1) {
+        let after = frame.report.frame;
         let mut resumed = simulation(text);
-        resumed.resume(checkpoint).expect("a state");
+        resumed.resume(frame).expect("a state");
         for expected in &states[after..] {
             let frame = resumed.next_frame(&mut Unobserved).expect("a frame");
             assert!(bits(&frame, &resumed) == *expected, "other bits after frame {after}: {text}");
@@ -386,19 +380,22 @@ fn films_end_where_the_scene_does() {
         let mut simulation = simulation(text);
         loop {
             if let Err(error) = simulation.next_frame(&mut Unobserved) {
-                break error;
+                let shown = scene(text).fault(&error).expect("a key is at fault");
+                break (error, shown);
             }
         }
     };
     let clock = "[clock]\nframes = 3\nmax_steps = 2\n";
-    let metric = last(&format!("{SPHERE}[metric]\nformula = 'length * sqrt(0.4 - t)'\n{clock}"));
-    assert!(matches!(metric, EvolveError::Metric { time: 0.5, .. }), "{metric}");
-    assert_eq!(metric.key(), Some("metric"));
-    let pin = last(&format!("{SPHERE}[[pin]]\nvertices = [0]\nformula = ['x', 'y', 'z/(0.5 - t)']\n{clock}"));
-    assert_eq!(pin.key(), Some("pin[0]"), "{pin}");
-    let bending = last(&format!("{SPHERE}[bending]\nfrom = 'mesh'\namount = 'ln(0.4 - t)'\n{clock}"));
-    assert_eq!(bending.key(), Some("bending.amount"), "{bending}");
-    for error in [metric, pin, bending] {
-        assert!(error.to_string().contains("at time 0.5") && error.to_string().contains("; "), "{error}");
+    let metric = format!("{SPHERE}[metric]\nformula = 'length * sqrt(0.4 - t)'\n{clock}");
+    let (error, _) = last(&metric);
+    assert!(matches!(error, EvolveError::Metric(NoMetric { time: 0.5, part: MetricPart::Lengths, .. })), "{error}");
+    let pin = format!("{SPHERE}[[pin]]\nvertices = [0]\nformula = ['x', 'y', 'z/(0.5 - t)']\n{clock}");
+    let bending = format!("{SPHERE}[bending]\nfrom = 'mesh'\namount = 'ln(0.4 - t)'\n{clock}");
+    for (text, key) in [(metric, "metric"), (pin, "pin[0]"), (bending, "bending.amount")] {
+        let (error, shown) = last(&text);
+        assert!(is_at(&scene(&text), key, &shown), "{key}: {shown}");
+        for said in [error.to_string(), shown.to_string()] {
+            assert!(said.contains("at time 0.5") && said.contains("; "), "{said}");
+        }
     }
 }

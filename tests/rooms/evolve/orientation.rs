@@ -2,13 +2,14 @@
 
 use crate::support::scene;
 use glam::{DQuat, DVec3};
-use immerse::evolve::{Frame, Simulation, Unobserved};
+use immerse::evolve::{Frame, Unobserved};
 use immerse::immersion::enclosed_volume;
 use immerse::mesh::{Surface, shapes};
 use immerse::metric::lengths_of_positions;
+use std::sync::Arc;
 
-fn relaxed(surface: &Surface, text: &str) -> Frame {
-    let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
+fn relaxed(surface: &Surface, text: &str) -> Arc<Frame> {
+    let mut simulation = scene(text).simulation_of(surface.clone()).expect("a simulation");
     simulation.relax(&mut Unobserved).expect("a frame")
 }
 
@@ -51,12 +52,13 @@ fn bare_lengths_come_out_with_their_front_outside() {
     let surface = bare(spheroid());
     let mut mirrored = 0;
     for seed in 0..10 {
-        let report = relaxed(&surface, &format!("[start]\nrandom = {seed}")).report;
+        let report = relaxed(&surface, &format!("[start]\nrandom = {seed}")).report.clone();
         let volume = report.enclosed_volume.expect("a closed surface");
         assert!(volume > 6.0 && report.rims == 0, "seed {seed}: {volume}");
         assert!(report.l2_length_error < 2e-3, "seed {seed}: {}", report.l2_length_error);
         mirrored += usize::from(report.cursor.mirrored);
-        let left = relaxed(&surface, &format!("[start]\nrandom = {seed}\norientation = \"as it comes\"")).report;
+        let left =
+            relaxed(&surface, &format!("[start]\nrandom = {seed}\norientation = \"as it comes\"")).report.clone();
         let sign = if report.cursor.mirrored { -1.0 } else { 1.0 };
         assert!((left.enclosed_volume.expect("closed") * sign / volume - 1.0).abs() < 1e-3);
         assert!(!left.cursor.mirrored);
@@ -77,7 +79,7 @@ fn the_result_is_like_the_mesh() {
     };
     for (surface, sign) in [(lopsided(), 1.0), (reversed(lopsided()), -1.0)] {
         for seed in 0..4 {
-            let report = relaxed(&surface, &format!("[start]\nrandom = {seed}")).report;
+            let report = relaxed(&surface, &format!("[start]\nrandom = {seed}")).report.clone();
             assert!(report.mean_distance.expect("positions") < 0.01, "seed {seed}: {:?}", report.mean_distance);
             assert!(sign * report.enclosed_volume.expect("closed") > 6.0);
         }
@@ -90,7 +92,7 @@ fn a_bowl_is_like_the_mesh_too() {
     let mut bowl = shapes::disk(1.0, 8).expect("a disk");
     bowl.positions.iter_mut().flatten().for_each(|p| p.z = 0.6 * (p.x * p.x + 1.4 * p.y * p.y) + 0.2 * p.x * p.x * p.x);
     for seed in 0..4 {
-        let report = relaxed(&bowl, &format!("[start]\nrandom = {seed}")).report;
+        let report = relaxed(&bowl, &format!("[start]\nrandom = {seed}")).report.clone();
         assert!(report.mean_distance.expect("positions") < 0.03, "seed {seed}: {:?}", report.mean_distance);
         assert_eq!(report.enclosed_volume, None);
     }
@@ -104,10 +106,12 @@ fn pins_stay_where_they_are() {
     for pinned in ["[0]", "[0, 17]"] {
         for seed in 0..4 {
             let text = format!("[start]\nrandom = {seed}\n[[pin]]\nvertices = {pinned}");
-            let report = relaxed(&surface, &text).report;
+            let report = relaxed(&surface, &text).report.clone();
             assert!(report.enclosed_volume.expect("closed") > 6.0, "{pinned} seed {seed}");
             assert!(report.pin_distance.expect("pins") < 1e-9);
-            let left = relaxed(&surface, &text.replace("\n[[pin]]", "\norientation = \"as it comes\"\n[[pin]]")).report;
+            let left = relaxed(&surface, &text.replace("\n[[pin]]", "\norientation = \"as it comes\"\n[[pin]]"))
+                .report
+                .clone();
             assert!((left.l2_length_error / report.l2_length_error - 1.0).abs() < 1e-6, "{pinned} seed {seed}");
             mirrored += usize::from(report.cursor.mirrored);
         }
@@ -121,7 +125,7 @@ fn turned_frames_are_frames_of_the_mirror_image() {
     let i = DQuat::from_xyzw(1.0, 0.0, 0.0, 0.0);
     let surface = bare(spheroid());
     let run = |text: &str| {
-        let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
+        let mut simulation = scene(text).simulation_of(surface.clone()).expect("a simulation");
         let frame = simulation.relax(&mut Unobserved).expect("a frame");
         (simulation.face_frames(), frame)
     };
@@ -140,7 +144,7 @@ fn turned_frames_are_frames_of_the_mirror_image() {
 fn classes_are_kept() {
     let torus = bare(shapes::torus(1.0, 0.4, 24, 14).expect("a torus"));
     for class in ["00", "01", "10"] {
-        let report = relaxed(&torus, &format!("[start]\nrandom = 2\n[spin]\nclass = \"{class}\"")).report;
+        let report = relaxed(&torus, &format!("[start]\nrandom = 2\n[spin]\nclass = \"{class}\"")).report.clone();
         let left = relaxed(
             &torus,
             &format!("[start]\nrandom = 2\norientation = \"as it comes\"\n[spin]\nclass = \"{class}\""),

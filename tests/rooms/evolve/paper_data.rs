@@ -2,7 +2,7 @@
 //! (bunny.obj, sphere.obj, torus.obj). The bunny takes longer and wants IMMERSE_PAPER_BUNNY set as well.
 
 use immerse::cli::checks_of;
-use immerse::evolve::{FrameReport, Simulation, Unobserved};
+use immerse::evolve::{FrameReport, Unobserved};
 use immerse::scene::{MeshSection, Scene};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -28,8 +28,8 @@ fn paper_mesh(name: &str) -> Option<PathBuf> {
 fn relaxed(name: &str, rest: &str) -> Option<FrameReport> {
     let path = paper_mesh(name)?;
     let text = format!("[mesh]\nfile = '{}'\n[start]\nrandom = 0\n{rest}", path.display());
-    let mut simulation = Simulation::from_scene(&crate::support::scene(&text)).expect("a simulation");
-    let report = simulation.relax(&mut Unobserved).expect("a frame").report;
+    let mut simulation = crate::support::scene(&text).simulation().expect("a simulation");
+    let report = simulation.relax(&mut Unobserved).expect("a frame").report.clone();
     let _ = writeln!(
         std::io::stderr(),
         "{name} {}: {:.3} % in {} steps, {} rims",
@@ -74,8 +74,8 @@ fn bunny_eversion() {
     let mut scene = Scene::read(&scene).expect("a scene");
     scene.mesh = MeshSection::File(std::path::absolute(path).expect("a path"));
     let mut simulation = scene.simulation().expect("a simulation");
-    let film: Vec<FrameReport> =
-        (0..scene.clock.frames).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame").report).collect();
+    let mut report = |_| simulation.next_frame(&mut Unobserved).expect("a frame").report.clone();
+    let film: Vec<FrameReport> = (0..scene.clock.frames).map(&mut report).collect();
     for check in checks_of(&scene.checks, &film) {
         eprintln!("{check:?}");
         assert!(check.holds, "{check:?}");

@@ -1,64 +1,66 @@
 //! The phases of a scene: what they are, how a scene changes one of them, and the one number that people want.
 
-use crate::support::{program, scene};
-use immerse::evolve::{Simulation, Unobserved, default_phases, phase_sections, phases_from_scene};
+use crate::support::{is_at, program, scene};
+use immerse::evolve::{Phase, Schedule, TimeStep, Unobserved};
+use immerse::frames::Method;
 use immerse::immersion::bending_angles;
 use immerse::mesh::VertexId;
-use immerse::scene::{MethodName, PhaseSection, Scene};
+use immerse::scene::{PhaseSection, Scene, SceneError};
 
 const SPHERE: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 4\n";
 const FACES: usize = 320;
 
-fn sections(text: &str) -> Vec<PhaseSection> {
-    phase_sections(&scene(&format!("{SPHERE}{text}")), FACES).expect("phases")
+fn phases(text: &str) -> Vec<Phase> {
+    scene(&format!("{SPHERE}{text}")).schedule().expect("phases").phases().to_vec()
 }
 
-/// The key and the message of what is wrong.
-fn mistake(text: &str) -> (String, String) {
-    let error = phase_sections(&scene(&format!("{SPHERE}{text}")), FACES).expect_err("a mistake");
-    (error.key, error.error.to_string())
+/// The scene, and what is wrong with it.
+fn mistake(text: &str) -> (Scene, SceneError) {
+    let scene = scene(&format!("{SPHERE}{text}"));
+    let error = scene.schedule().expect_err("a mistake");
+    (scene, error)
 }
 
 #[test]
 fn one_default_phase_is_changed_and_the_others_stay() {
-    let defaults = sections("");
+    let defaults = phases("");
     assert_eq!(defaults.len(), 5);
-    let changed = sections("[[phase]]\nindex = 2\nepsilon = [1, 0.2, 1, 0.1]\nmax_steps = 77\n");
+    let changed = phases("[[phase]]\nindex = 2\nepsilon = [1, 0.2, 1, 0.1]\nmax_steps = 77\n");
     let mut expected = defaults.clone();
-    (expected[1].epsilon, expected[1].max_steps) = ([1.0, 0.2, 1.0, 0.1], 77);
+    (expected[1].stiffness, expected[1].max_steps) = ([1.0, 0.2, 1.0, 0.1], 77);
     assert_eq!(changed, expected);
     // In any order, with `like` or without.
-    let both = sections(
+    let both = phases(
         "[[phase]]\nindex = 5\nlike = 'default'\ntolerance = 0.5\n[[phase]]\nindex = 1\nmethod = 'newton'\nturn = 2\n",
     );
-    (expected[1], expected[4].tolerance) = (defaults[1].clone(), 0.5);
-    (expected[0].method, expected[0].turn) = (MethodName::Newton, Some(2.0));
+    (expected[1], expected[4].tolerance_radians) = (defaults[1], 0.5_f64.to_radians());
+    (expected[0].method, expected[0].turn_radians) = (Method::Newton, Some(2.0_f64.to_radians()));
     assert_eq!(both, expected);
     // Without a word about it nothing changes.
-    assert_eq!(sections("[[phase]]\nindex = 3\n"), defaults);
-    assert_eq!(sections("[[phase]]\nlike = 'default'\n"), defaults);
+    assert_eq!(phases("[[phase]]\nindex = 3\n"), defaults);
+    assert_eq!(phases("[[phase]]\nlike = 'default'\n"), defaults);
     let stiffer = scene(&format!("{SPHERE}[bending]\nbending_stiffness = 0.1\n"));
     assert_eq!((stiffer.bending, stiffer.relaxation.bending_stiffness), (None, Some(0.1)), "no target angles");
-    let phases = phases_from_scene(&scene(SPHERE), FACES).unwrap();
-    assert_eq!(phases, default_phases(FACES));
+    assert_eq!(scene(SPHERE).schedule().unwrap(), Schedule::default());
 }
 
 #[test]
 fn all_default_phases_are_changed_and_others_stand_beside_them() {
-    let defaults = sections("");
-    let all = sections("[[phase]]\nlike = 'default'\ncrease = 7\n");
+    let defaults = phases("");
+    let all = phases("[[phase]]\nlike = 'default'\ncrease = 7\n");
     assert_eq!(all.len(), 5);
-    assert!(all.iter().zip(&defaults).all(|(a, b)| *a == PhaseSection { crease: 7.0, ..b.clone() }));
+    assert!(all.iter().zip(&defaults).all(|(a, b)| *a == Phase { crease: 7.0, ..*b }));
     // What is said of one counts more than what is said of all, whatever comes first.
-    let one = sections("[[phase]]\nindex = 4\ncrease = 1\n[[phase]]\nlike = 'default'\ncrease = 7\n");
+    let one = phases("[[phase]]\nindex = 4\ncrease = 1\n[[phase]]\nlike = 'default'\ncrease = 7\n");
     assert_eq!(one.iter().map(|phase| phase.crease).collect::<Vec<_>>(), [7.0, 7.0, 7.0, 1.0, 7.0]);
     // A phase of its own before, behind, or in place of them.
-    let more = sections("[[phase]]\ndt = 3\n[[phase]]\nlike = 'default'\n[[phase]]\ndt = 4\n");
-    assert_eq!((more.len(), more[0].dt, more[6].dt, &more[1..6]), (7, 3.0, 4.0, &defaults[..]));
-    assert_eq!(sections("[[phase]]\ndt = 3\n"), [PhaseSection { dt: 3.0, ..PhaseSection::default() }]);
+    let more = phases("[[phase]]\ndt = 3\n[[phase]]\nlike = 'default'\n[[phase]]\ndt = 4\n");
+    let [three, four] = [3.0, 4.0].map(TimeStep::FaceAreas);
+    assert_eq!((more.len(), more[0].dt, more[6].dt, &more[1..6]), (7, three, four, &defaults[..]));
+    assert_eq!(phases("[[phase]]\ndt = 3\n"), [Phase { dt: three, ..Phase::default() }]);
     // From a shape there is but one, the last.
-    let from_mesh = sections("[start]\nfrom = 'mesh'\n[[phase]]\nindex = 1\nmax_steps = 5\n");
-    assert_eq!(from_mesh, [PhaseSection { max_steps: 5, ..PhaseSection::default() }]);
+    let from_mesh = phases("[start]\nfrom = 'mesh'\n[[phase]]\nindex = 1\nmax_steps = 5\n");
+    assert_eq!(from_mesh, [Phase { max_steps: 5, ..Phase::default() }]);
 }
 
 #[test]
@@ -82,8 +84,9 @@ fn mistakes_have_their_place_and_a_remedy() {
             "remove one of them",
         ),
     ] {
-        let (at, message) = mistake(&text);
-        assert_eq!(at, key, "{text}: {message}");
+        let (scene, error) = mistake(&text);
+        let message = error.to_string();
+        assert!(is_at(&scene, key, &error), "{text}: {message}");
         assert!(message.contains(part) && message.contains("; "), "{text}: {message}");
     }
     for (text, part) in [
@@ -106,7 +109,7 @@ fn mistakes_have_their_place_and_a_remedy() {
 
 #[test]
 fn the_stiffness_is_that_of_the_last_phase_and_least_of_all_others() {
-    let bending = |text: &str| sections(text).iter().map(|phase| phase.epsilon[1]).collect::<Vec<_>>();
+    let bending = |text: &str| phases(text).iter().map(|phase| phase.stiffness[1]).collect::<Vec<_>>();
     assert_eq!(bending(""), [1.0, 0.1, 0.01, 1e-3, 1e-4]);
     assert_eq!(bending("[bending]\nbending_stiffness = 0.005\n"), [1.0, 0.1, 0.01, 0.005, 0.005]);
     assert_eq!(bending("[bending]\nbending_stiffness = 0.5\n"), [1.0, 0.5, 0.5, 0.5, 0.5]);
@@ -125,7 +128,7 @@ fn asking_for_more_bending_keeps_random_starts_relaxing() {
             let scene =
                 scene(&format!("[mesh]\n{mesh}\n[start]\nrandom = 1\n[bending]\nbending_stiffness = {stiffness}\n"));
             let mut simulation = scene.simulation().unwrap();
-            let report = simulation.relax(&mut Unobserved).unwrap().report;
+            let report = &simulation.relax(&mut Unobserved).unwrap().report;
             let what = format!("{mesh} with {stiffness}: {:.4}", report.l2_length_error);
             assert_eq!((report.rims, report.pinch_points, report.cursor.restarts), (0, 0, 0), "{what}");
             assert!(report.l2_length_error < accuracy, "{what}");
@@ -143,7 +146,8 @@ fn target_angles_are_reached_better_with_more_stiffness() {
         );
         let scene = scene(&text);
         let mut simulation = scene.simulation().unwrap();
-        let places = simulation.mesh_places.clone().unwrap();
+        let surface = scene.surface().unwrap();
+        let places = surface.places().unwrap();
         let mesh = simulation.mesh().clone();
         let is_on_crease = |v: &VertexId| places[v.index()].y.abs() < 1e-6;
         let crease: Vec<usize> =
@@ -185,9 +189,12 @@ fn printed_phases_can_be_pasted_and_change_nothing() {
         assert!(printed.contains("[[phase]]") && printed.contains("epsilon = [1.0, "), "{printed}");
         let without = if more.contains("[[phase]]") { SPHERE } else { &text };
         let pasted = scene(&format!("{without}{printed}"));
-        let usual = phase_sections(&scene(&text), FACES).unwrap();
-        assert_eq!(pasted.phases, usual, "as printed: {printed}");
-        assert_eq!(phase_sections(&pasted, FACES).unwrap(), usual);
+        // Printed for this mesh, steps are in units of its mean face area.
+        let printed_as = |phase: &Phase| Phase { dt: TimeStep::FaceAreas(phase.dt.in_face_areas(FACES)), ..*phase };
+        let usual: Vec<Phase> = scene(&text).schedule().unwrap().phases().iter().map(printed_as).collect();
+        let section = |&phase: &Phase| PhaseSection { phase, like: None };
+        assert_eq!(pasted.phases, usual.iter().map(section).collect::<Vec<_>>(), "as printed: {printed}");
+        assert_eq!(pasted.schedule().unwrap().phases(), usual);
     }
     let (code, _, err) = program(folder.path(), &["check", "nothing.toml", "--phases"]);
     assert!(code == 2 && err.contains("there is no such file"), "{err}");

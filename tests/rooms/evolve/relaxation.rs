@@ -2,23 +2,24 @@
 
 use crate::support::{distance_up_to_rigid_motion, embedded, scene};
 use glam::DVec3;
-use immerse::evolve::{Checkpoint, Cursor, EvolveError, Frame, Observer, Phase, Progress, Simulation, Unobserved};
+use immerse::evolve::{Cursor, EvolveError, Frame, Observer, Phase, Progress, Simulation, TimeStep, Unobserved};
 use immerse::frames::{Method, Shell, StepOptions, Stepper, energy, random_frames};
 use immerse::immersion::{is_figure_8, pinch_points};
 use immerse::mesh::{Mesh, Surface, shapes};
 use immerse::spin::class_digits;
 use std::ops::ControlFlow;
+use std::sync::Arc;
 
 /// All phases of the scene, to the end.
-fn relaxed(text: &str) -> (Simulation, Frame) {
-    let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
+fn relaxed(text: &str) -> (Simulation, Arc<Frame>) {
+    let mut simulation = scene(text).simulation().expect("a simulation");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");
     (simulation, frame)
 }
 
 /// An almost immersion in the class asked for, with a length error below the limit.
 #[track_caller]
-fn assert_good(text: &str, (simulation, frame): &(Simulation, Frame), limit: f64) {
+fn assert_good(text: &str, (simulation, frame): &(Simulation, Arc<Frame>), limit: f64) {
     let report = &frame.report;
     eprintln!(
         "{:.3} % in {} steps, {} rims: {text:?}",
@@ -92,7 +93,7 @@ fn components_are_independent() {
     let beside = small.positions.clone().unwrap_or_default().into_iter().map(|p| p + DVec3::new(3.0, 0.0, 0.0));
     let all: Vec<DVec3> = positions.iter().copied().chain(beside).collect();
     let pair = embedded(Mesh::from_faces(all.len(), &faces).expect("two spheres"), all);
-    let mut simulation = Simulation::new(&scene(""), pair).expect("a simulation");
+    let mut simulation = scene("").simulation_of(pair).expect("a simulation");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert_eq!((frame.report.rims, frame.report.pinch_points), (0, 0));
     assert!(frame.report.l2_length_error < 1e-3, "{}", frame.report.l2_length_error);
@@ -112,7 +113,7 @@ fn components_are_independent() {
 #[test]
 fn spectral_start_is_the_round_sphere() {
     let text = "[mesh]\nshape = 'sphere'\nsubdivisions = 8\n[start]\nfrom = 'spectral'";
-    let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
+    let mut simulation = scene(text).simulation().expect("a simulation");
     let start = simulation.advance(0, &mut Unobserved).expect("a frame");
     eprintln!("spectral start: {}", start.report.l2_length_error);
     assert!(start.report.l2_length_error < 1e-3, "{}", start.report.l2_length_error);
@@ -127,12 +128,15 @@ fn spectral_start_is_the_round_sphere() {
 fn printed_methods_find_the_sphere() {
     let surface = shapes::sphere(1.0, 6).expect("a sphere");
     for (method, dt) in [(Method::Gradient, 1.0), (Method::Newton, 10.0)] {
-        let mut simulation = Simulation::new(&scene("[start]\nrandom = 0"), surface.clone()).expect("a simulation");
+        let mut simulation = scene("[start]\nrandom = 0").simulation_of(surface.clone()).expect("a simulation");
         let phase = |stiffness, feedback, max_steps| Phase {
-            step: StepOptions { method, stiffness, crease: 0.0, dt, solver_tolerance: 1e-3 },
+            method,
+            stiffness,
+            dt: TimeStep::FaceAreas(dt),
             turn_radians: None,
             feedback,
             periods: 0.0,
+            crease: 0.0,
             accelerate: false,
             tolerance_radians: 1e-3,
             min_steps: 3,
@@ -140,7 +144,7 @@ fn printed_methods_find_the_sphere() {
             untangle_steps: 0,
         };
         let two = [phase([1.0; 4], 0.0, 600), phase([1.0, 0.01, 1.0, 0.1], 0.5, 600)];
-        simulation.change_phases(|phases| *phases = two.to_vec());
+        simulation.change_phases(|phases| *phases = two.to_vec()).expect("phases");
         let frame = simulation.relax(&mut Unobserved).expect("a frame");
         let report = &frame.report;
         eprintln!("{method:?}: {} steps, {}", report.cursor.steps, report.l2_length_error);
@@ -193,7 +197,7 @@ fn ball() -> Surface {
 
 #[test]
 fn an_observer_can_stop() {
-    let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
+    let mut simulation = scene("").simulation_of(ball()).expect("a simulation");
     let mut observer = Stop { after: 5, seen: Vec::new() };
     let error = simulation.relax(&mut observer).expect_err("stopped");
     assert_eq!(error, EvolveError::Stopped { steps: 5 });
@@ -205,7 +209,7 @@ fn an_observer_can_stop() {
 
 #[test]
 fn steps_are_counted_and_phases_end_when_frames_stand_still() {
-    let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
+    let mut simulation = scene("").simulation_of(ball()).expect("a simulation");
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
     let frame = simulation.relax(&mut observer).expect("a frame");
     assert_eq!(frame.report.cursor.steps, observer.seen.len());
@@ -225,9 +229,9 @@ fn steps_are_counted_and_phases_end_when_frames_stand_still() {
 
 #[test]
 fn too_few_steps_are_reported() {
-    let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-    let hurry = |phase: &mut Phase| (phase.max_steps, phase.tolerance_radians) = (2, 1e-9);
-    simulation.change_phases(|phases| phases.iter_mut().for_each(hurry));
+    let mut simulation = scene("").simulation_of(ball()).expect("a simulation");
+    let hurry = |phase: &mut Phase| (phase.min_steps, phase.max_steps, phase.tolerance_radians) = (2, 2, 1e-9);
+    simulation.change_phases(|phases| phases.iter_mut().for_each(hurry)).expect("phases");
     let mut observer = Stop { after: usize::MAX, seen: Vec::new() };
     let frame = simulation.relax(&mut observer).expect("a frame");
     assert!(!frame.report.converged);
@@ -239,8 +243,9 @@ fn too_few_steps_are_reported() {
 #[test]
 fn steps_can_be_taken_in_pieces() {
     let start = || {
-        let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-        simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.accelerate = false));
+        let mut simulation = scene("").simulation_of(ball()).expect("a simulation");
+        let change = |phases: &mut Vec<Phase>| phases.iter_mut().for_each(|phase| phase.accelerate = false);
+        simulation.change_phases(change).expect("phases");
         simulation
     };
     let whole = start().advance(12, &mut Unobserved).expect("a frame");
@@ -250,16 +255,10 @@ fn steps_can_be_taken_in_pieces() {
     }
     let now = pieces.advance(0, &mut Unobserved).expect("a frame");
     let mut resumed = start();
-    let checkpoint = Checkpoint {
-        frame: 1,
-        frames: pieces.face_frames(),
-        spin: pieces.spin(),
-        edge_lengths: pieces.metric.edge_lengths().to_vec(),
-        positions: now.positions,
-        rims: now.rims,
-        cursors: now.report.cursors(),
-    };
-    resumed.resume(checkpoint).expect("a metric");
+    // No film yet: it becomes the state of the first frame.
+    let mut first = Frame::clone(&now);
+    first.report.frame = 1;
+    resumed.resume(Arc::new(first)).expect("a metric");
     let last = resumed.advance(7, &mut Unobserved).expect("a frame");
     // Every piece is laid upon the reference, which rounds, and steps are solved for in single precision.
     let turn = 0.0;
@@ -273,8 +272,10 @@ fn steps_can_be_taken_in_pieces() {
 /// A time step that is no number ends in an error that names the phase, not in a frame.
 #[test]
 fn divergence_is_an_error() {
-    let mut simulation = Simulation::new(&scene(""), ball()).expect("a simulation");
-    simulation.change_phases(|phases| (phases[0].step.method, phases[0].step.dt) = (Method::Gradient, 1e200));
+    let mut simulation = scene("").simulation_of(ball()).expect("a simulation");
+    let leap =
+        |phases: &mut Vec<Phase>| (phases[0].method, phases[0].dt) = (Method::Gradient, TimeStep::FaceAreas(1e200));
+    simulation.change_phases(leap).expect("phases");
     let outcome = simulation.advance(20, &mut Unobserved);
     if let Err(error) = &outcome {
         assert!(matches!(error, EvolveError::Diverged { phase: 0, .. }));

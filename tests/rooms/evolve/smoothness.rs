@@ -2,10 +2,11 @@
 
 use crate::support::{Random, scene};
 use glam::DVec3;
-use immerse::evolve::{Frame, Simulation, Unobserved};
+use immerse::evolve::{Frame, Unobserved};
 use immerse::immersion::{is_convex, largest_dent};
 use immerse::mesh::{Surface, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
+use std::sync::Arc;
 
 /// A sphere with bumps and pits of so many tenths of the radius.
 fn bumpy(subdivisions: usize, count: usize, width: f64, height: f64, seed: u64) -> Surface {
@@ -24,7 +25,7 @@ fn bumpy(subdivisions: usize, count: usize, width: f64, height: f64, seed: u64) 
 const FLOW: &str = "[start]\nfrom = 'mesh'\n[clock]\nframes = 12\n[[metric.change]]\nkind = 'ricci'\n\
                     amount = { times = [0, 1], values = [0, 1] }\n";
 
-fn film(surface: &Surface, text: &str) -> Vec<Frame> {
+fn film(surface: &Surface, text: &str) -> Vec<Arc<Frame>> {
     let scene = scene(text);
     let mut simulation = scene.simulation_of(surface.clone()).expect("a simulation");
     (0..scene.clock.frames).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame")).collect()

@@ -1,7 +1,7 @@
 //! The same bits on any number of threads.
 
 use crate::support::{program, scene};
-use immerse::evolve::{Simulation, Unobserved};
+use immerse::evolve::{Phase, Unobserved};
 use std::fs;
 
 const SCENES: [&str; 3] = [
@@ -18,10 +18,11 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 fn in_memory() {
     for text in SCENES {
         let relax = || {
-            let mut simulation = Simulation::from_scene(&scene(text)).expect("a simulation");
+            let mut simulation = scene(text).simulation().expect("a simulation");
             assert!(simulation.mesh().face_count() > 4096, "sums must be in more than one piece");
             // A few steps of the first phase, and a few that are accelerated.
-            simulation.change_phases(|phases| phases.iter_mut().for_each(|phase| phase.max_steps = 4));
+            let hurry = |phases: &mut Vec<Phase>| phases.iter_mut().for_each(|phase| phase.max_steps = 4);
+            simulation.change_phases(hurry).expect("phases");
             let frame = simulation.advance(18, &mut Unobserved).expect("a frame");
             let bits = |x: f64| x.to_bits();
             let positions: Vec<_> = frame.positions.iter().map(|p| p.to_array().map(bits)).collect();

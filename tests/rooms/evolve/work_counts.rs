@@ -1,7 +1,7 @@
 //! How much work small relaxations take: steps, iterations of the linear solves, and the error they end at. Counts do not
 //! depend on the machine, so that they tell what timings would only suggest. The system of every step is factorized once.
 
-use immerse::evolve::{Observer, Progress, Simulation};
+use immerse::evolve::{Observer, Progress};
 use immerse::scene::Scene;
 use std::ops::ControlFlow;
 
@@ -40,7 +40,7 @@ fn assert_no_more_than(recorded: &Recorded) {
     let scene = Scene::parse(recorded.scene, "counted", "".as_ref()).unwrap();
     let mut simulation = scene.simulation().unwrap();
     let mut tally = Tally::default();
-    let report = simulation.relax(&mut tally).unwrap().report;
+    let report = &simulation.relax(&mut tally).unwrap().report;
     let steps: usize = tally.steps.iter().sum();
     let inner_iterations: usize = tally.inner_iterations.iter().sum();
     let now = format!(

@@ -4,9 +4,12 @@ use std::fs;
 use std::path::Path;
 
 use glam::{DQuat, DVec3};
-use immerse::cache::{Cache, CacheError, Film, FrameReport, FrameState};
-use immerse::mesh::Mesh;
+use immerse::algebra::Complex;
+use immerse::cache::{Cache, CacheError, Film, FrameReport};
+use immerse::evolve::Frame;
+use immerse::mesh::{EdgeId, Mesh};
 use immerse::scene::ChecksSection;
+use immerse::spin::SpinStructure;
 
 const TETRAHEDRON: [[u32; 3]; 4] = [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]];
 
@@ -19,16 +22,15 @@ fn film() -> Film {
     Film { scene: "test".into(), fingerprint: 7, frame_count: 4, checks }
 }
 
-fn state(frame: usize) -> FrameState {
+fn state(frame: usize) -> Frame {
     let x = |i: usize| (i * 37 + frame * 101) as f64 / 7.0;
-    FrameState {
-        frame,
-        time: frame as f64 / 24.0,
+    let transports = (0..6).map(|i| [Complex { re: -0.6, im: 0.8 }, Complex { re: 1.0, im: -0.0 }][(i + frame) % 2]);
+    Frame {
         positions: (0..4).map(|i| DVec3::new(x(i), -x(i + 1), 1e-300 * x(i))).collect(),
-        frames: (0..4).map(|i| DQuat::from_xyzw(x(i), 2.0, 3.0, x(i + 2)).normalize()).collect(),
-        transport: (0..6).map(|i| [x(i), -0.0]).collect(),
+        face_frames: (0..4).map(|i| DQuat::from_xyzw(x(i), 2.0, 3.0, x(i + 2)).normalize()).collect(),
+        spin: SpinStructure::from_transports(&tetrahedron(), transports.collect()).unwrap(),
         edge_lengths: (0..6).map(x).collect(),
-        rims: (0..6).map(|i| i % 3 == 0).collect(),
+        rims: [0, 3].map(EdgeId::new).to_vec(),
         report: FrameReport {
             frame,
             time: frame as f64 / 24.0,
@@ -78,7 +80,10 @@ fn what_was_written_comes_back_to_the_bit() {
     for frame in 1..=3 {
         let read = cache.read_frame(frame).unwrap();
         assert_eq!(read, state(frame));
-        let bits = |state: &FrameState| state.transport.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>();
+        let bits = |state: &Frame| {
+            let transports = state.spin.transports().iter();
+            transports.flat_map(|t| [t.re, t.im]).map(f64::to_bits).collect::<Vec<_>>()
+        };
         assert_eq!(bits(&read), bits(&state(frame)));
         assert_eq!(cache.read_report(frame).unwrap(), state(frame).report);
     }

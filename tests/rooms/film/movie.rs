@@ -10,10 +10,13 @@ use crate::support::{program, scene};
 use exr::prelude::{AnyChannels, FlatSamples, Layer, read_first_flat_layer_from_file};
 use glam::{DQuat, DVec3};
 use immerse::{
-    cache::{Cache, Film, FrameReport, FrameState},
+    algebra::Complex,
+    cache::{Cache, Film, FrameReport},
+    evolve::Frame,
     mesh::Mesh,
     movie::{Event, MovieError, make_pictures, make_poster},
     scene::Scene,
+    spin::SpinStructure,
 };
 
 /// A film of these positions on disk, one frame each, at times from 0 to 1.
@@ -33,14 +36,12 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
             ..FrameReport::default()
         };
         cache
-            .write_frame(&FrameState {
-                frame: k + 1,
-                time,
+            .write_frame(&Frame {
                 positions: positions.clone(),
-                frames: vec![DQuat::IDENTITY; mesh.face_count()],
-                transport: vec![[1.0, 0.0]; mesh.edge_count()],
+                face_frames: vec![DQuat::IDENTITY; mesh.face_count()],
+                spin: SpinStructure::from_transports(&mesh, vec![Complex::ONE; mesh.edge_count()]).expect("transports"),
                 edge_lengths: vec![1.0; mesh.edge_count()],
-                rims: vec![false; mesh.edge_count()],
+                rims: Vec::new(),
                 report,
             })
             .expect("a frame");

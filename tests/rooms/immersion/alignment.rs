@@ -2,7 +2,7 @@
 
 use crate::support::Random;
 use glam::{DQuat, DVec3};
-use immerse::evolve::{Simulation, Unobserved};
+use immerse::evolve::Unobserved;
 use immerse::immersion::{RigidMotion, frames_of_positions};
 use immerse::mesh::Selection;
 use immerse::mesh::Surface;
@@ -114,7 +114,7 @@ fn values_that_are_not_numbers_do_no_harm() {
 #[test]
 fn a_relaxed_surface_lies_upon_the_mesh_unless_pins_hold_it_elsewhere() {
     let (surface, reference) = egg();
-    let at = |scene: &Scene| Simulation::new(scene, surface.clone()).unwrap().advance(0, &mut Unobserved).unwrap();
+    let at = |scene: &Scene| scene.simulation_of(surface.clone()).unwrap().advance(0, &mut Unobserved).unwrap();
     let mut scene = Scene { start: StartFrom::Mesh.into(), ..Scene::default() };
     assert!(distance(&at(&scene).positions, &reference) < 1e-9);
     let elsewhere = DVec3::new(5.0, 6.0, 7.0);

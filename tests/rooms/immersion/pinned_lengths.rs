@@ -4,7 +4,6 @@ use std::fs;
 use std::path::Path;
 
 use crate::support::{program, scene};
-use immerse::evolve::Simulation;
 use immerse::mesh::Selection;
 use immerse::mesh::{SelectionError, Surface, longest_loops, outer_loops, select_vertices, shapes};
 use immerse::scene::Scene;
@@ -12,7 +11,7 @@ use immerse::scene::Scene;
 const DISK: &str = "[mesh]\nshape = 'disk'\nrings = 4\n[start]\nfrom = 'mesh'\n";
 
 fn warnings(text: &str) -> Vec<String> {
-    Simulation::from_scene(&scene(text)).expect("a simulation").pin_contradictions().expect("an answer")
+    scene(text).simulation().expect("a simulation").pin_contradictions().expect("an answer")
 }
 
 #[test]

@@ -2,8 +2,8 @@
 
 use crate::support::{Random, diameter, distance_up_to_rigid_motion, scene};
 use glam::{DQuat, DVec3};
-use immerse::evolve::{Phase, Simulation, Unobserved};
-use immerse::frames::{Method, StepOptions};
+use immerse::evolve::{Phase, TimeStep, Unobserved};
+use immerse::frames::Method;
 use immerse::immersion::pinch_points;
 use immerse::mesh::{Surface, shapes};
 
@@ -37,10 +37,13 @@ fn bowl() -> Surface {
 /// Steps of full length with all stiffness equal, to the end.
 fn to_the_end(method: Method, dt: f64, max_steps: usize) -> Phase {
     Phase {
-        step: StepOptions { method, stiffness: [1.0; 4], crease: 0.0, dt, solver_tolerance: 1e-10 },
+        method,
+        stiffness: [1.0; 4],
+        dt: TimeStep::FaceAreas(dt),
         turn_radians: None,
         feedback: 0.0,
         periods: 0.0,
+        crease: 0.0,
         accelerate: false,
         tolerance_radians: 1e-12,
         min_steps: 1,
@@ -58,15 +61,15 @@ struct Found {
 
 /// Relaxes from perturbed (by this much) or random frames.
 fn find(surface: &Surface, text: &str, perturbation: f64, phases: &[Phase]) -> Found {
-    let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    simulation.change_phases(|own| *own = phases.to_vec());
+    let mut simulation = scene(text).simulation_of(surface.clone()).expect("a simulation");
+    simulation.change_phases(|own| *own = phases.to_vec()).expect("phases");
     let mut random = Random::new(1);
     let mut frames = simulation.face_frames();
     for frame in &mut frames {
         let v = perturbation * random.vector();
         *frame = (*frame * DQuat::from_xyzw(v.x, v.y, v.z, 1.0)).normalize();
     }
-    simulation.set_face_frames(&frames);
+    simulation.set_face_frames(&frames).expect("unit quaternions");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");
     assert!(frame.report.converged, "{:?}", frame.report);
     let target = surface.positions.as_deref().expect("positions");
@@ -118,8 +121,8 @@ fn mirror_image() {
     let text = "[bending]\nfrom = 'mirror'\n[start]\nfrom = 'mirror'";
     let mut mirrored = surface.clone();
     mirrored.positions.iter_mut().flatten().for_each(|p| p.x = -p.x);
-    let mut simulation = Simulation::new(&scene(text), surface.clone()).expect("a simulation");
-    simulation.change_phases(|phases| *phases = vec![to_the_end(Method::Newton, 1e6, 30)]);
+    let mut simulation = scene(text).simulation_of(surface.clone()).expect("a simulation");
+    simulation.change_phases(|phases| *phases = vec![to_the_end(Method::Newton, 1e6, 30)]).expect("phases");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");
     let target = mirrored.positions.expect("positions");
     assert!(distance_up_to_rigid_motion(&target, &frame.positions) < 1e-8 * diameter(&target));
@@ -137,7 +140,7 @@ fn pins() {
     assert!(found.rims == 0);
 
     let text = "[start]\nfrom = 'mesh'\n[[pin]]\nvertices = [3, 1]\npositions = [[0, 0, 5], [1, 2, -3]]";
-    let mut simulation = Simulation::new(&scene(text), surface).expect("a simulation");
+    let mut simulation = scene(text).simulation_of(surface).expect("a simulation");
     let frame = simulation.advance(3, &mut Unobserved).expect("a frame");
     assert!(frame.positions[3].distance(DVec3::new(0.0, 0.0, 5.0)) < 1e-12);
     assert!(frame.positions[1].distance(DVec3::new(1.0, 2.0, -3.0)) < 1e-12);

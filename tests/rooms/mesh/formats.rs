@@ -35,7 +35,7 @@ fn assert_tetrahedron(surface: Surface) {
 /// The error's message, which has to contain all of the words.
 #[track_caller]
 fn assert_refused(name: &str, content: impl AsRef<[u8]>, words: &[&str]) {
-    let message = read_text(name, content).map(|s| s.mesh().face_count()).unwrap_err().to_string();
+    let message = read_text(name, content).map(|s| s.mesh.face_count()).unwrap_err().to_string();
     for word in words.iter().chain([&name]) {
         assert!(message.contains(word), "`{word}` is missing in: {message}");
     }
@@ -174,7 +174,7 @@ fn faces_without_positions_are_intrinsic() {
 
 #[test]
 fn what_was_repaired_is_reported() {
-    let surface = read_text("a.obj", obj().replace("f 1 3 2", "f 1 2 3") + "v 9 9 9\n").map(|s| (s.mesh(), s.repairs));
+    let surface = read_text("a.obj", obj().replace("f 1 3 2", "f 1 2 3") + "v 9 9 9\n").map(|s| (s.mesh, s.repairs));
     // The late vertex would shift the negative indices of nothing; it is dropped.
     let (mesh, repairs) = surface.unwrap();
     assert_eq!(mesh.triangles(), FACES);

@@ -5,7 +5,6 @@ use std::path::Path;
 
 use crate::support::program;
 use immerse::cache::Cache;
-use immerse::evolve::Simulation;
 use immerse::mesh::{EdgeSelection, Selection};
 use immerse::mesh::{
     SelectionError, Surface, VertexId, read, read_edge_lengths, read_positions, select_edges, select_vertices,

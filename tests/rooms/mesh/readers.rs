@@ -35,7 +35,7 @@ fn file(name: &str, content: impl AsRef<[u8]>) -> File {
 /// What is said of a file, which has to contain all of the words.
 #[track_caller]
 fn refused(name: &str, content: impl AsRef<[u8]>, words: &[&str]) {
-    let message = read(&file(name, content).path).map(|s| s.mesh().face_count()).unwrap_err().to_string();
+    let message = read(&file(name, content).path).map(|s| s.mesh.face_count()).unwrap_err().to_string();
     for word in words {
         assert!(message.contains(word), "`{word}` is missing in: {message}");
     }
@@ -109,7 +109,7 @@ fn obj_indices_numbers_and_other_statements() {
     is_tetrahedron("indices.obj");
     is_tetrahedron("exponents.obj");
     let first = surface("faces_first.obj");
-    assert_eq!(first.mesh().triangles().len(), 2);
+    assert_eq!(first.mesh.triangles().len(), 2);
     assert_eq!(first.positions.unwrap()[1].to_array(), [2.0, 0.0, 0.0]);
     refused("a.obj", "v 0,5 0 0\n", &["a.obj:1:", "`0,5` is not a number", "decimal point"]);
     refused("a.obj", "v 1e400 0 0\n", &["a.obj:1:", "`1e400` is not finite"]);

@@ -17,7 +17,7 @@ fn three_cones_on_a_sphere() {
     (0..162).filter(|v| ![0, 5, 11].contains(v)).for_each(|v| lines += &format!("{v},0\n"));
     fs::write(folder.path().join("cones.csv"), lines).expect("a file");
     let scene = Scene::parse(SCENE, "cones", folder.path()).expect("a scene");
-    let simulation = immerse::evolve::scene.simulation().expect("a metric");
+    let simulation = scene.simulation().expect("a metric");
     for v in simulation.mesh().vertices() {
         let wanted = if [0, 5, 11].contains(&v.index()) { 4.0 * PI / 3.0 } else { 0.0 };
         assert!((simulation.metric().curvature(simulation.mesh(), v) - wanted).abs() < 1e-10, "{v:?}");
@@ -25,7 +25,7 @@ fn three_cones_on_a_sphere() {
 
     // The rest in proportion to area.
     fs::write(folder.path().join("cones.csv"), "3,90\n").expect("a file");
-    let simulation = immerse::evolve::scene.simulation().expect("a metric");
+    let simulation = scene.simulation().expect("a metric");
     let (mesh, metric) = (simulation.mesh(), simulation.metric());
     assert!((metric.curvature(mesh, VertexId::new(3)) - PI / 2.0).abs() < 1e-10);
     let areas = metric.vertex_areas(mesh);

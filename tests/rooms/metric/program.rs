@@ -1,16 +1,15 @@
 //! Lengths as a function of time: keys, what is between them, and changes, against closed forms.
 
-use crate::support::scene;
+use crate::support::{is_at, scene};
 use glam::DVec3;
+use immerse::evolve::EvolveError;
 use immerse::mesh::{self, Surface};
 use immerse::metric::{
-    BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, MetricProgram, RicciFlow,
-    lengths_of_positions, uniformize,
+    BoundaryCondition, CurvatureTarget, InteriorCurvature, Metric, MetricError, MetricPart, MetricProgram, NoMetric,
+    RicciFlow, lengths_of_positions, uniformize,
 };
-use immerse::scene::AtKey;
-use immerse::timeline::Parameters;
+use immerse::scene::{Scene, SceneError};
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 
 const SPHERE: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 4\n";
 const TORUS: &str = "[mesh]\nshape = 'torus'\nminor_radius = 0.4\ncolumns = 16\nrows = 12\n";
@@ -22,24 +21,19 @@ struct Case {
     program: MetricProgram,
 }
 
-fn try_case(text: &str, folder: &Path) -> Result<Case, AtKey<MetricError>> {
-    let scene = scene(text);
-    let parameters = Parameters::from_scene(&scene.parameters).expect("parameters");
+fn try_case(scene: &Scene) -> Result<Case, SceneError> {
     let surface = scene.surface().expect("a surface");
-    let program = MetricProgram::from_scene(&scene.metric, folder, &surface, &parameters)?;
+    let program = scene.program(&surface)?.metric;
     Ok(Case { surface, program })
 }
 
 fn case(text: &str) -> Case {
-    try_case(text, Path::new(".")).expect(text)
+    try_case(&scene(text)).expect(text)
 }
 
-/// The error of the first time at which there is one, or of reading.
-fn error_of(text: &str, times: &[f64]) -> (String, MetricError) {
-    let found = try_case(text, Path::new("."))
-        .and_then(|mut case| times.iter().try_for_each(|&time| case.program.at(&case.surface.mesh, time).map(|_| ())));
-    let AtKey { key, error } = found.expect_err(text);
-    (key, error)
+/// The first time at which there is no metric.
+fn no_metric(mut case: Case, times: &[f64]) -> NoMetric {
+    times.iter().find_map(|&time| case.program.at(&case.surface.mesh, time).err()).expect("a time without a metric")
 }
 
 impl Case {
@@ -386,100 +380,152 @@ fn a_disk_whose_curvature_grows() {
     }
 }
 
+const CONFORMAL: &str = "[[metric.change]]\nkind = 'conformal'\n";
+const RICCI: &str = "[[metric.change]]\nkind = 'ricci'\n";
+
+/// A metric that is none at a time names time, part, edge and face, and the scene the key.
 #[test]
-fn errors_name_key_edge_and_face() {
-    let conformal = |rest: &str| format!("{SPHERE}[[metric.change]]\nkind = 'conformal'\n{rest}");
-    let ricci = |shape: &str, rest: &str| format!("{shape}[[metric.change]]\nkind = 'ricci'\n{rest}");
-    let times = [0.0, 0.5, 1.0];
+fn errors_name_time_part_key_edge_and_face() {
+    let conformal = |rest: &str| format!("{SPHERE}{CONFORMAL}{rest}");
+    let ricci = |shape: &str, rest: &str| format!("{shape}{RICCI}{rest}");
+    let (lengths, change) = (MetricPart::Lengths, MetricPart::Change(0));
     type Right = fn(&MetricError) -> bool;
-    let cases: Vec<(String, &str, Right)> = vec![
+    let cases: Vec<(String, MetricPart, &str, f64, Right)> = vec![
         (
             format!("{SPHERE}[metric]\nformula = 'length * (0.5 - t)'\n"),
+            lengths,
             "metric",
+            0.5,
             |e| matches!(e, MetricError::NotPositive { edge: 0, length, .. } if *length == 0.0),
         ),
         (
             format!("{SPHERE}[metric]\nformula = 'length * sqrt(0.4 - t)'\n"),
+            lengths,
             "metric",
+            0.5,
             |e| matches!(e, MetricError::NotPositive { edge: 0, length, .. } if length.is_nan()),
         ),
-        (format!("{SPHERE}[metric]\npositions = ['x', 'y', 'z / (0.5 - t)']\n"), "metric", |e| {
+        (format!("{SPHERE}[metric]\npositions = ['x', 'y', 'z / (0.5 - t)']\n"), lengths, "metric", 0.5, |e| {
             matches!(e, MetricError::NotPositive { .. })
         }),
-        (
-            format!("{SPHERE}[metric]\npositions = ['x', 'y', 'z * (0.5 - t)']\n[[metric.change]]\nkind = 'ricci'\n"),
-            "metric",
-            |e| matches!(e, MetricError::NotPositive { .. } | MetricError::TriangleInequality { .. }),
-        ),
+        (format!("{SPHERE}[metric]\npositions = ['x', 'y', 'z * (0.5 - t)']\n{RICCI}"), lengths, "metric", 0.5, |e| {
+            matches!(e, MetricError::NotPositive { .. } | MetricError::TriangleInequality { .. })
+        }),
         (
             format!(
                 "{SPHERE}[metric]\nextrapolation = 'linear'\n[[metric.key]]\ntime = 0\nformula = '2*length'\n[[metric.key]]\ntime = 0.5\n"
             ),
+            lengths,
             "metric.key",
+            1.0,
             |e| matches!(e, MetricError::NotPositive { length, .. } if length.is_nan()),
         ),
         (
             conformal("log_scale = '9*t*x'\n"),
+            change,
             "metric.change[0]",
+            1.0,
             |e| matches!(e, MetricError::TriangleInequality { count, .. } if *count > 0),
         ),
-        (conformal("log_scale = '1/(0.5 - t)'\n"), "metric.change[0]", |e| {
+        (conformal("log_scale = '1/(0.5 - t)'\n"), change, "metric.change[0]", 0.5, |e| {
             matches!(e, MetricError::LogScale { vertex: 0, .. })
         }),
         (
             conformal("log_scale = 'x'\namount = 'ln(0.4 - t)'\n"),
+            change,
             "metric.change[0]",
+            0.5,
             |e| matches!(e, MetricError::LogScale { value, .. } if value.is_nan()),
         ),
-        (conformal("log_scale = 'x + q'\n"), "metric.change[0].log_scale", |e| matches!(e, MetricError::Timeline(_))),
-        (conformal("log_scale = 'x'\namount = 'x'\n"), "metric.change[0].amount", |e| {
-            matches!(e, MetricError::Timeline(_))
+        (
+            format!("{SPHERE}{CONFORMAL}log_scale = 'x'\n{CONFORMAL}log_scale = '1/(0.5 - t)'\n"),
+            MetricPart::Change(1),
+            "metric.change[1]",
+            0.5,
+            |e| matches!(e, MetricError::LogScale { vertex: 0, .. }),
+        ),
+        (ricci(TORUS, "amount = 'ln(0.4 - t)'\n"), change, "metric.change[0]", 0.5, |e| {
+            matches!(e, MetricError::FlowTime { .. })
         }),
-        (ricci(TORUS, "amount = 'ln(0.4 - t)'\n"), "metric.change[0]", |e| matches!(e, MetricError::FlowTime { .. })),
-        (ricci(TORUS, "curvature = 1\n"), "metric.change[0]", |e| matches!(e, MetricError::GaussBonnet { .. })),
-        (ricci(SPHERE, "curvature = -1\n"), "metric.change[0]", |e| matches!(e, MetricError::GaussBonnet { .. })),
-        (ricci(SPHERE, "[[metric.change.region]]\nball = [0, 0, 0, 2]\ntotal = 90\n"), "metric.change[0]", |e| {
+        (ricci(TORUS, "curvature = 1\n"), change, "metric.change[0]", 0.0, |e| {
+            matches!(e, MetricError::GaussBonnet { .. })
+        }),
+        (ricci(SPHERE, "curvature = -1\n"), change, "metric.change[0]", 0.0, |e| {
             matches!(e, MetricError::GaussBonnet { .. })
         }),
         (
-            ricci(
-                SPHERE,
-                "[[metric.change.region]]\nball = [0, 0, 1, 0.5]\ntotal = 90\n[[metric.change.region]]\nball = [0, 0, 9, 1]\ntotal = 90\n",
-            ),
-            "metric.change[0].region[1]",
-            |e| matches!(e, MetricError::Selection(_)),
+            ricci(SPHERE, "[[metric.change.region]]\nball = [0, 0, 0, 2]\ntotal = 90\n"),
+            change,
+            "metric.change[0]",
+            0.0,
+            |e| matches!(e, MetricError::GaussBonnet { .. }),
         ),
         (
             ricci(
                 SPHERE,
                 "[[metric.change.region]]\nball = [0, 0, 1, 0.5]\ntotal = 90\n[[metric.change.region]]\nball = [0, 0, 1, 0.2]\ntotal = 90\n",
             ),
-            "metric.change[0]",
+            change,
+            "metric.change[0].region[1]",
+            0.0,
             |e| matches!(e, MetricError::TargetRegion { region: 1, .. }),
         ),
-        (ricci(SPHERE, "[[metric.change.region]]\nvertices = [0]\ntotal = 360\n"), "metric.change[0]", |e| {
-            matches!(e, MetricError::TargetRegion { region: 0, .. })
-        }),
-        (format!("{FLAT}[metric]\nformula = 'length * dx'\n"), "metric.formula", |e| {
-            *e == MetricError::FormulaWithoutPositions
-        }),
+        (
+            ricci(SPHERE, "[[metric.change.region]]\nvertices = [0]\ntotal = 360\n"),
+            change,
+            "metric.change[0].region[0]",
+            0.0,
+            |e| matches!(e, MetricError::TargetRegion { region: 0, .. }),
+        ),
+    ];
+    for (text, part, key, time, right) in cases {
+        let scene = scene(&text);
+        let found = no_metric(try_case(&scene).expect(&text), &[0.0, 0.5, 1.0]);
+        assert!(found.part == part && found.time == time && right(&found.error), "{text}: {found:?}");
+        assert!(found.error.to_string().contains("; "), "no remedy: {found}");
+        let shown = scene.fault(&EvolveError::Metric(found)).expect("a key is at fault");
+        assert!(is_at(&scene, key, &shown), "{text}: {shown}");
+    }
+}
+
+/// What is none at any time is refused before.
+#[test]
+fn what_is_no_program_is_refused_at_its_key() {
+    let cases: Vec<(String, &str, &str)> = vec![
+        (format!("{SPHERE}{CONFORMAL}log_scale = 'x + q'\n"), "metric.change[0].log_scale", "there is no `q`"),
+        (
+            format!("{SPHERE}{CONFORMAL}log_scale = 'x'\namount = 'x'\n"),
+            "metric.change[0].amount",
+            "formula `x`: there is no `x`",
+        ),
+        (
+            format!(
+                "{SPHERE}{RICCI}[[metric.change.region]]\nball = [0, 0, 1, 0.5]\ntotal = 90\n[[metric.change.region]]\nball = [0, 0, 9, 1]\ntotal = 90\n"
+            ),
+            "metric.change[0].region[1]",
+            "nothing is selected; choose a larger region",
+        ),
+        (
+            format!("{FLAT}[metric]\nformula = 'length * dx'\n"),
+            "metric.formula",
+            "the formula uses coordinates, but the mesh has no positions; use a mesh that has them",
+        ),
         (
             format!("{SPHERE}[[metric.key]]\ntime = 0\n[[metric.key]]\ntime = 1\nfile = 'none.obj'\n"),
             "metric.key[1].file",
-            |e| matches!(e, MetricError::Mesh(_)),
+            "none.obj",
         ),
-        (format!("{SPHERE}[metric]\npositions = ['x', 'w', 'z']\n"), "metric.positions", |e| {
-            matches!(e, MetricError::Timeline(_))
-        }),
+        (format!("{SPHERE}[metric]\npositions = ['x', 'w', 'z']\n"), "metric.positions", "there is no `w`"),
         (
             format!("{SPHERE}[[metric.key]]\ntime = 0\n[[metric.key]]\ntime = 1\ncsv = 'none.csv'\n"),
             "metric.key[1].csv",
-            |e| matches!(e, MetricError::Mesh(_)),
+            "none.csv",
         ),
     ];
-    for (text, key, right) in cases {
-        let (found, error) = error_of(&text, &times);
-        assert!(found == key && right(&error), "{text}: {found}: {error:?}");
-        assert!(error.to_string().contains("; "), "no remedy: {error}");
+    for (text, key, part) in cases {
+        let scene = scene(&text);
+        let Err(error) = try_case(&scene) else { panic!("{text}") };
+        assert!(is_at(&scene, key, &error) && error.to_string().contains(part), "{text}: {error}");
+        assert!(!error.reason.is_empty() && !error.remedy.is_empty(), "no remedy: {error}");
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::support::{Random, program};
 use glam::DVec3;
-use immerse::evolve::{Simulation, Unobserved};
+use immerse::evolve::Unobserved;
 use immerse::mesh::{FaceId, Mesh};
 use immerse::metric::{Metric, MetricError, TRIANGLE_MARGIN};
 use immerse::scene::Scene;
@@ -130,7 +130,7 @@ fn a_surface_with_a_sliver_is_found_from_random_frames() {
         let text = "[mesh]\nfile = 'mesh.obj'\n[start]\nrandom = 1\n";
         let scene = Scene::parse(text, "sliver", folder.path()).unwrap();
         let mut simulation = scene.simulation().unwrap_or_else(|error| panic!("{height:e}: {error}"));
-        let report = simulation.relax(&mut Unobserved).unwrap().report;
+        let report = &simulation.relax(&mut Unobserved).unwrap().report;
         assert!(report.l2_length_error < 0.01 && report.pinch_points == 0, "{height:e}: {report:?}");
     }
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::support::from_above;
+use crate::support::{from_above, seen_from};
 use glam::{DVec3, Vec3};
 use immerse::{
     advice::Advice,
@@ -85,8 +85,7 @@ fn a_white_sphere_in_a_white_surround_cannot_be_seen() {
 fn the_hollow_of_a_torus_gets_less_ambient_light_and_its_outside_all_of_it() {
     let (positions, triangles) = torus(96, 40);
     let output = Output::new(160, 120, 4).expect("a size");
-    let camera =
-        Camera::framing(&support::seen_from(DVec3::Y, DVec3::NEG_Z), &Extent::of(&positions), &output).expect("a view");
+    let camera = Camera::framing(&seen_from(DVec3::Y, DVec3::NEG_Z), &Extent::of(&positions), &output).expect("a view");
     let scenery = Scenery { triangles: &triangles, positions: &positions, ..Scenery::default() };
     let [open, occluded] = [0.0, 2.0].map(|occlusion_reach| {
         let look = Look { lines: Lines::NONE, occlusion_reach, ..Look::default() };

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use immerse::evolve::{Phase, TimeStep};
 use immerse::mesh::Selection;
 use immerse::mesh::shapes::{Body, Grid, Operation, PolyhedronSource, Shape, Solid};
 use immerse::scene::*;
@@ -84,12 +85,18 @@ class = "01"
     assert_eq!(scene.metric.lengths, LengthSource::Uniform(0.05));
     assert_eq!(scene.spin, SpinSection::Digits("01".into()));
     assert_eq!(scene.start, StartFrom::Random(u64::MAX).into());
-    let default = PhaseSection::default();
+    let section = |phase| PhaseSection { phase, like: None };
     assert_eq!(
         scene.phases,
         [
-            PhaseSection { epsilon: [1.0, 0.5, 1.0, 0.1], dt: 3000.0, ..default.clone() },
-            PhaseSection { feedback: 0.5, tolerance: 0.01, min_steps: 2, max_steps: 3, ..default },
+            section(Phase { stiffness: [1.0, 0.5, 1.0, 0.1], dt: TimeStep::FaceAreas(3000.0), ..Phase::default() }),
+            section(Phase {
+                feedback: 0.5,
+                tolerance_radians: 0.01_f64.to_radians(),
+                min_steps: 2,
+                max_steps: 3,
+                ..Phase::default()
+            }),
         ]
     );
     assert_eq!(

@@ -1,8 +1,10 @@
 //! What changes with time: keyframes, formulas, parameters and the clock.
 
-use crate::support::scene;
-use immerse::scene::{Ease, Extrapolation, NumberSection};
-use immerse::timeline::{Clock, Formula, Keyframes, Number, Parameters, PointFormula, TimelineError, eased};
+use crate::support::{is_at, scene};
+use immerse::scene::{NumberSection, Scene};
+use immerse::timeline::{
+    Clock, Ease, Extrapolation, Formula, Keyframes, Number, Parameters, PointFormula, TimelineError, eased,
+};
 use std::sync::Arc;
 
 const EASES: [Ease; 4] = [Ease::Linear, Ease::Smooth, Ease::In, Ease::Out];
@@ -12,12 +14,14 @@ fn keyframes(times: &[f64], values: &[f64], ease: Ease, extrapolation: Extrapola
     Keyframes::new(times.to_vec(), values.to_vec(), ease, extrapolation).expect("keyframes")
 }
 
-fn text(formula: &str) -> NumberSection {
-    NumberSection::Formula(formula.to_owned())
+/// A number that a formula in `t` gives.
+fn formula(text: &str, parameters: &Arc<Parameters>) -> Result<Number, TimelineError> {
+    Formula::parse(text, &[], parameters).map(Number::Formula)
 }
 
-fn parameters(named: &[(&str, NumberSection)]) -> Result<Arc<Parameters>, (String, TimelineError)> {
-    Parameters::from_scene(&named.iter().map(|(name, number)| ((*name).to_owned(), number.clone())).collect::<Vec<_>>())
+/// With one more, which a formula gives.
+fn with(parameters: &Arc<Parameters>, name: &str, text: &str) -> Arc<Parameters> {
+    Arc::new(parameters.with(name, formula(text, parameters).expect(text)).expect(name))
 }
 
 #[test]
@@ -105,37 +109,49 @@ fn keyframes_that_are_none() {
 
 #[test]
 fn numbers_that_change() {
-    let none = Arc::default();
-    let number = |section: &NumberSection| Number::from_scene(section, &none).expect("a number");
-    let of_keyframes = |values: [f64; 2]| NumberSection::Keyframes {
-        times: vec![0.0, 2.0],
-        values: values.to_vec(),
-        ease: Ease::Linear,
-        extrapolation: Extrapolation::Linear,
-    };
-    for (section, at_three, changes) in [
-        (NumberSection::Constant(0.3), 0.3, false),
+    let text = |text: &str| formula(text, &Arc::default()).expect("a formula");
+    let of_keyframes =
+        |values: [f64; 2]| Number::Keyframes(keyframes(&[0.0, 2.0], &values, Ease::Linear, Extrapolation::Linear));
+    for (number, at_three, changes) in [
+        (Number::Constant(0.3), 0.3, false),
         (text("2 + 1"), 3.0, false),
         (text("t^2 - 1"), 8.0, true),
         (of_keyframes([1.0, 5.0]), 7.0, true),
         (of_keyframes([4.0, 4.0]), 4.0, false),
     ] {
-        let number = number(&section);
-        assert_eq!((number.at(3.0), number.changes()), (at_three, changes), "{section:?}");
+        assert_eq!((number.at(3.0), number.changes()), (at_three, changes), "{number:?}");
     }
-    assert!(number(&text("0/0")).at(0.0).is_nan() && number(&text("ln(-1)")).at(0.0).is_nan());
-    let unordered = NumberSection::Keyframes {
-        times: vec![1.0, 0.0],
-        values: vec![0.0; 2],
+    assert!(text("0/0").at(0.0).is_nan() && text("ln(-1)").at(0.0).is_nan());
+}
+
+/// Each kind of number that a scene can say, and one that it says wrongly.
+#[test]
+fn numbers_of_a_scene() {
+    let of_keyframes = |times: [f64; 2]| NumberSection::Keyframes {
+        times: times.to_vec(),
+        values: vec![1.0, 5.0],
         ease: Ease::Linear,
-        extrapolation: Extrapolation::Hold,
+        extrapolation: Extrapolation::Linear,
     };
-    assert!(matches!(Number::from_scene(&unordered, &none), Err(TimelineError::Order { .. })));
+    let say = |section: NumberSection| {
+        let scene = Scene { parameters: vec![("a".to_owned(), section)], ..Scene::default() };
+        scene.parameters().map(|parameters| (parameters.at(3.0).collect::<Vec<_>>(), parameters.changes(0)))
+    };
+    for (section, at_three, changes) in [
+        (NumberSection::Constant(0.3), 0.3, false),
+        (NumberSection::Formula("2 + 1".to_owned()), 3.0, false),
+        (NumberSection::Formula("t^2 - 1".to_owned()), 8.0, true),
+        (of_keyframes([0.0, 2.0]), 7.0, true),
+    ] {
+        assert_eq!(say(section.clone()), Ok((vec![at_three], changes)), "{section:?}");
+    }
+    let error = say(of_keyframes([1.0, 0.0])).expect_err("out of order");
+    assert_eq!(error.reason, "keyframes are out of order: 0 comes after 1");
 }
 
 #[test]
 fn formulas_know_their_variables_time_and_parameters() {
-    let shared = parameters(&[("a", NumberSection::Constant(10.0)), ("b", text("a * t"))]).expect("parameters");
+    let shared = with(&with(&Arc::default(), "a", "10"), "b", "a * t");
     let parse = |text: &str| Formula::parse(text, &["x", "length"], &shared);
     // 3x + 5 length + 7t + 11a + 13b: every variable with a factor of its own.
     let formula = parse("3*x + 5*length\n   + 7*t + 11*a\t+ 13*b").expect("a formula");
@@ -202,19 +218,11 @@ fn formulas_compute_what_they_say() {
 
 #[test]
 fn parameters_may_use_those_before_them() {
-    let keyframes = NumberSection::Keyframes {
-        times: vec![0.0, 1.0],
-        values: vec![2.0, 4.0],
-        ease: Ease::Linear,
-        extrapolation: Extrapolation::Hold,
-    };
-    let all = parameters(&[
-        ("radius", keyframes),
-        ("area", text("PI * radius^2")),
-        ("growth", text("area / (4 * PI) - t")),
-        ("fixed", NumberSection::Constant(1.5)),
-        ("twice", text("2 * fixed")),
-    ])
+    let all = scene(
+        "[parameters]\nradius = { times = [0, 1], values = [2, 4] }\narea = 'PI * radius^2'\n\
+         growth = 'area / (4 * PI) - t'\nfixed = 1.5\ntwice = '2 * fixed'\n",
+    )
+    .parameters()
     .expect("parameters");
     assert_eq!(all.names().collect::<Vec<_>>(), ["radius", "area", "growth", "fixed", "twice"]);
     let at: Vec<f64> = all.at(0.5).collect();
@@ -224,22 +232,20 @@ fn parameters_may_use_those_before_them() {
     assert_eq!((0..6).map(|k| all.changes(k)).collect::<Vec<_>>(), [true, true, true, false, false, false]);
 
     // Not those after them, nor themselves.
-    for (named, culprit) in [
-        ([("b", text("2 * a")), ("a", NumberSection::Constant(1.0))], "b"),
-        ([("a", NumberSection::Constant(1.0)), ("b", text("b + 1"))], "b"),
-        ([("a", text("x")), ("b", NumberSection::Constant(1.0))], "a"),
-    ] {
-        let (name, error) = parameters(&named).expect_err("no such name yet");
-        assert!(name == culprit && error.to_string().contains("there is no"), "{name}: {error}");
+    for (named, culprit) in [("b = '2 * a'\na = 1.0", "b"), ("a = 1.0\nb = 'b + 1'", "b"), ("a = 'x'\nb = 1.0", "a")] {
+        let scene = scene(&format!("[parameters]\n{named}\n"));
+        let error = scene.parameters().expect_err("no such name yet");
+        let key = format!("parameters.{culprit}");
+        assert!(is_at(&scene, &key, &error) && error.reason.contains("there is no"), "{named}: {error}");
     }
 }
 
 #[test]
 fn names_of_parameters() {
-    let value = NumberSection::Constant(0.125);
+    let parameters = |name: &str| Parameters::default().with(name, Number::Constant(0.125)).map(Arc::new);
     // A name may begin like a function or a constant.
     for name in ["a", "k", "height", "sinus", "expo", "PIe", "tau", "e1", "tt", "lengths", "x1", "E_0"] {
-        let all = parameters(&[(name, value.clone())]).expect(name);
+        let all = parameters(name).expect(name);
         let formula = Formula::parse(&format!("1 + 2*{name} + sin(0)*{name}"), &["x"], &all).expect(name);
         assert_eq!(formula.at(9.0).value(&[7.0]), 1.25, "{name}");
     }
@@ -276,18 +282,23 @@ fn names_of_parameters() {
         "max_height",
         "minor", // the parser takes `max` and `min` out of these
     ] {
-        let outcome = parameters(&[(name, value.clone())]);
-        assert_eq!(
-            outcome.map(|_| ()),
-            Err((name.to_owned(), TimelineError::Name { name: name.to_owned() })),
-            "`{name}`"
-        );
+        let outcome = parameters(name);
+        assert_eq!(outcome.map(|_| ()), Err(TimelineError::Name { name: name.to_owned() }), "`{name}`");
+        // A scene says so before it looks at the value, which may be wrong because of the name.
+        for section in [NumberSection::Constant(0.125), NumberSection::Formula(format!("{name} + q"))] {
+            let scene = Scene { parameters: vec![(name.to_owned(), section)], ..Scene::default() };
+            let error = scene.parameters().expect_err(name);
+            assert!(error.reason.contains(&format!("`{name}` cannot name a parameter")), "{error}");
+        }
     }
+    // Nor is a name given twice.
+    let twice = parameters("a").expect("a name").with("a", Number::Constant(1.0));
+    assert_eq!(twice.map(|_| ()), Err(TimelineError::Name { name: "a".to_owned() }));
 }
 
 #[test]
 fn points_move_by_three_formulas() {
-    let shared = parameters(&[("s", text("1 + t"))]).expect("parameters");
+    let shared = with(&Arc::default(), "s", "1 + t");
     let parse = |texts: [&str; 3]| PointFormula::parse(&texts.map(str::to_owned), &shared);
     let moving = parse(["s * x", "y - z", "x * y * z"]).expect("formulas");
     assert_eq!(moving.at(1.0).point([2.0, 3.0, 5.0].into()).to_array(), [4.0, -2.0, 30.0]);
@@ -300,7 +311,13 @@ fn points_move_by_three_formulas() {
 
 #[test]
 fn the_clock_meets_its_ends() {
-    let clock = |text: &str| Clock::from_scene(&scene(&format!("[clock]\n{text}")).clock);
+    let clock = |text: &str| {
+        let scene = scene(&format!("[clock]\n{text}"));
+        let clock = scene.times(&scene.clock).expect("a clock");
+        let (frames, looping) = (scene.clock.frames, scene.clock.looping);
+        assert_eq!(clock, Clock::new(frames, [scene.clock.start, scene.clock.end], looping).expect("a clock"));
+        clock
+    };
     for (start, end) in [(0.0, 1.0), (-0.3, 0.7), (0.1, 1.1)] {
         for frames in [2, 3, 7, 10, 49] {
             let open = clock(&format!("frames = {frames}\nstart = {start}\nend = {end}\n"));
