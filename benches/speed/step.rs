@@ -55,7 +55,7 @@ pub const BYTES_PER_ITERATION: f64 = {
 /// and the frames of each state there.
 pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, Box<dyn Error>> {
     let simulation = scene(name)?.simulation()?;
-    let shell = Shell::new(simulation.mesh(), simulation.metric(), &simulation.spin(), None);
+    let shell = Shell::new(simulation.mesh(), simulation.metric(), &simulation.spin(), None)?;
     if let Some(folder) = folder {
         write_problem(&simulation, folder)?;
     }

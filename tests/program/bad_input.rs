@@ -408,7 +408,7 @@ fn one_triangle() {
     fs::write(folder.path().join("film.toml"), format!("{FROM_CSV}{checks}")).unwrap();
     let (code, out, err) = program(folder.path(), &["run", "film.toml", "--out", "out"]);
     assert_eq!(code, 0, "{out}{err}");
-    let cache = immerse::cache::Cache::open(&folder.path().join("out")).unwrap();
+    let cache = immerse::film::FilmFolder::open(&folder.path().join("out")).unwrap();
     let p = cache.read_frame(1).unwrap().positions;
     assert!(((p[1] - p[0]).length() - 3.0).abs() < 1e-14 && ((p[2] - p[1]).length() - 4.0).abs() < 1e-14);
     assert!((p[1] - p[0]).dot(p[2] - p[1]).abs() < 1e-13);

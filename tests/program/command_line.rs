@@ -6,9 +6,10 @@ use std::process::{Command, Output, Stdio};
 
 use glam::{DQuat, DVec3};
 use immerse::algebra::Complex;
-use immerse::cache::{Cache, Film, FrameReport};
 use immerse::cli::checks_of;
 use immerse::evolve::Frame;
+use immerse::evolve::FrameReport;
+use immerse::film::{FilmFolder, FilmMesh, FilmSpec};
 use immerse::mesh::Mesh;
 use immerse::scene::{ChecksSection, FilmChecksSection};
 use immerse::spin::SpinStructure;
@@ -26,10 +27,10 @@ fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 }
 
 /// The film of a tetrahedron with two frames.
-fn film(folder: &Path, checks: ChecksSection) -> Cache {
+fn film(folder: &Path, checks: ChecksSection) -> FilmFolder {
     let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]).unwrap();
-    let film = Film { scene: "test".into(), fingerprint: 7, frame_count: 2, checks };
-    let cache = Cache::open_or_create(folder, &film, &mesh, None).unwrap();
+    let film = FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: 2, checks };
+    let cache = FilmFolder::open_or_create(folder, &film, &FilmMesh::of(mesh.clone().into())).unwrap();
     for frame in [1, 2] {
         let report = FrameReport {
             frame,

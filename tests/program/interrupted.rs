@@ -1,7 +1,8 @@
 //! A film of the relaxation on disk: interrupted at any place it goes on to the same bytes.
 
 use crate::support::program;
-use immerse::cache::{Cache, FrameReport};
+use immerse::evolve::FrameReport;
+use immerse::film::FilmFolder;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -25,7 +26,7 @@ fn scene(subdivisions: usize) -> String {
 
 /// What is known of every frame, but for the time it took.
 fn reports(folder: &Path) -> Vec<FrameReport> {
-    let cache = Cache::open(folder).expect("a film");
+    let cache = FilmFolder::open(folder).expect("a film");
     let report = |frame| FrameReport { seconds: 0.0, ..cache.read_report(frame).expect("a report") };
     (1..=FRAMES).map(report).collect()
 }

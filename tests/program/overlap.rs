@@ -10,7 +10,7 @@ use std::{
 };
 
 use crate::support::scene;
-use immerse::movie::{Arrivals, MovieError, make_pictures_of_arrivals};
+use immerse::film::{Arrivals, FilmError, make_pictures_of_arrivals};
 
 /// A ball that swells to an ellipsoid, and is shown in so few pixels that its pictures cost little.
 const FILM: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[start]\nfrom = 'mesh'\n\
@@ -76,7 +76,7 @@ fn a_camera_for_the_first_frame_does_not_wait_for_the_last_one() {
             arrivals.end();
             match pictures.join().expect("no panic") {
                 Ok(made) => assert!(is_made && made == 2),
-                Err(MovieError::NoSuchFrame { .. }) => assert!(!is_made, "more frames were to come"),
+                Err(FilmError::NoSuchFrame { .. }) => assert!(!is_made, "more frames were to come"),
                 Err(error) => panic!("{error}"),
             }
         });

@@ -120,7 +120,7 @@ impl State {
 
     /// The step of a simulation, three times: positions and rims.
     fn relax(mut self, method: Method) -> (Vec<DVec3>, HashSet<EdgeId>) {
-        let shell = Shell::new(&self.mesh, &self.metric, &self.spin, None);
+        let shell = Shell::new(&self.mesh, &self.metric, &self.spin, None).expect("a shell");
         let homology = Homology::new(&self.mesh, &self.metric);
         let poisson = Poisson::new(&self.mesh, &self.metric, &[]).expect("weights");
         let periods = Periods::new(&self.mesh, &self.metric, &homology, &poisson);

@@ -3,8 +3,9 @@
 
 use crate::support::{is_at, program, scene};
 use glam::{DMat3, DVec3};
-use immerse::cache::{Cache, FrameReport};
+use immerse::evolve::FrameReport;
 use immerse::evolve::{EvolveError, Frame, Observer, Progress, Simulation, Unobserved};
+use immerse::film::FilmFolder;
 use immerse::mesh::EdgeId;
 use immerse::metric::{MetricPart, NoMetric};
 use immerse::spin::class_digits;
@@ -368,7 +369,7 @@ fn films_on_disk_have_the_same_bytes_in_pieces_and_on_any_threads() {
 
 /// What is known of every frame, but for the time it took.
 fn reports(folder: &Path, count: usize) -> Vec<FrameReport> {
-    let cache = Cache::open(folder).expect("a film");
+    let cache = FilmFolder::open(folder).expect("a film");
     let report = |frame| FrameReport { seconds: 0.0, ..cache.read_report(frame).expect("a report") };
     (1..=count).map(report).collect()
 }

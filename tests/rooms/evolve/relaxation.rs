@@ -160,7 +160,7 @@ fn energy_never_rises() {
     let metric = crate::support::random_metric(&surface.0, &mut crate::support::Random::new(1));
     let homology = immerse::spin::Homology::new(&surface.0, &metric);
     let spin = immerse::spin::SpinStructure::new(&surface.0, &metric, &homology);
-    let shell = Shell::new(&surface.0, &metric, &spin, None);
+    let shell = Shell::new(&surface.0, &metric, &spin, None).expect("a shell");
     for (method, dt) in [(Method::Implicit, 1.0), (Method::Gradient, 0.05), (Method::Newton, 0.2)] {
         let stiffness = [1.0, 0.5, 1.0, 0.5];
         let options = StepOptions { method, stiffness, crease: 0.0, dt, solver_tolerance: 1e-8 };

@@ -1,2 +1,2 @@
-mod cache;
-mod movie;
+mod disk;
+mod pictures;

@@ -29,7 +29,8 @@ impl State {
     fn exact(mesh: &Mesh, positions: Vec<DVec3>) -> State {
         let metric = Metric::new(mesh, lengths_of_positions(mesh, &positions)).unwrap();
         let spin = spin_of_immersion(mesh, &metric, &positions).unwrap();
-        let frames = rimless_frames(mesh, &metric, &Shell::new(mesh, &metric, &spin, None), &positions);
+        let frames =
+            rimless_frames(mesh, &metric, &Shell::new(mesh, &metric, &spin, None).expect("a shell"), &positions);
         State { metric, positions, frames, spin }
     }
 
@@ -212,7 +213,7 @@ fn the_energy_density_integrates_to_the_energy() {
     let mut state = State::exact(&mesh, positions);
     let mut random = Random::new(7);
     state.frames.iter_mut().for_each(|frame| *frame = (*frame + random.frame() * 0.2).normalize());
-    let shell = Shell::new(&mesh, &state.metric, &state.spin, None);
+    let shell = Shell::new(&mesh, &state.metric, &state.spin, None).expect("a shell");
     let density = doubles(&state.field(&mesh, FieldName::EnergyDensity));
     let total: f64 = density.iter().zip(state.metric.face_areas()).map(|(density, area)| density * area).sum();
     let expected = energy(&shell, STIFFNESS, &state.frames);

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use crate::support::program;
-use immerse::cache::Cache;
+use immerse::film::FilmFolder;
 use immerse::mesh::{EdgeSelection, Selection};
 use immerse::mesh::{
     SelectionError, Surface, VertexId, read, read_edge_lengths, read_positions, select_edges, select_vertices,
@@ -216,7 +216,7 @@ fn the_outcome_carries_the_map() {
     };
     assert_eq!(array("file_vertex.npy"), [1, 2, 3, 4, 5, 6, 7]);
     assert_eq!(array("file_face.npy"), [0, 0, 1, 1, 2]);
-    assert_eq!(Cache::open(&at.join("out")).expect("a film").file_faces().expect("faces"), [0, 0, 1, 1, 2]);
+    assert_eq!(FilmFolder::open(&at.join("out")).expect("a film").file_faces().expect("faces"), [0, 0, 1, 1, 2]);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::support::scene;
 use glam::DVec3;
 use immerse::{
-    movie::{MovieError, Plan},
+    film::{FilmError, Plan},
     render::{Look, LookName, Output, View},
     scene::{Scene, SceneError, build},
 };
@@ -14,7 +14,7 @@ const BALL: &str = "[mesh]\nshape = 'sphere'\n";
 fn mistake(text: &str) -> SceneError {
     let scene = scene(&format!("{BALL}{text}"));
     match Plan::of(&scene) {
-        Err(MovieError::Scene(errors)) => match errors.mistakes() {
+        Err(FilmError::Scene(errors)) => match errors.mistakes() {
             [mistake] => mistake.clone(),
             other => panic!("{text}: {other:?}"),
         },

@@ -27,7 +27,7 @@ fn rim_bits_relate_map_and_spin_structure() {
             let homology = Homology::new(&mesh, &metric);
             let class = random_class(homology.betti(), &mut random);
             let spin = SpinStructure::of_class(&mesh, &metric, &homology, &class).unwrap();
-            let shell = Shell::new(&mesh, &metric, &spin, None);
+            let shell = Shell::new(&mesh, &metric, &spin, None).expect("a shell");
             // Every vertex anywhere: a map as generic, and as far from an immersion, as can be.
             let positions: Vec<_> = (0..mesh.vertex_count()).map(|_| random.vector()).collect();
             let mut frames = frames_of_positions(&mesh, &metric, &positions, &vec![DQuat::IDENTITY; mesh.face_count()]);
@@ -214,10 +214,13 @@ fn classes_do_not_depend_on_the_metric() {
         let positions: Vec<_> = (0..mesh.vertex_count()).map(|_| random.vector()).collect();
         let identity = vec![DQuat::IDENTITY; mesh.face_count()];
         let mut frames = frames_of_positions(&mesh, &before, &positions, &identity);
-        let rims = immerse::immersion::rims(&Shell::new(&mesh, &before, &spin, None), &frames);
+        let rims = immerse::immersion::rims(&Shell::new(&mesh, &before, &spin, None).expect("a shell"), &frames);
         change.carry(&mut frames);
         let there = frames_of_positions(&mesh, &after, &positions, &frames);
-        assert_eq!(immerse::immersion::rims(&Shell::new(&mesh, &after, &change.spin, None), &there), rims);
+        assert_eq!(
+            immerse::immersion::rims(&Shell::new(&mesh, &after, &change.spin, None).expect("a shell"), &there),
+            rims
+        );
 
         // Polar frames of one map under both metrics are carried into each other when the metrics are close.
         let near = before.edge_lengths().iter().map(|l| l * (1.0 + 1e-7 * random.unit())).collect();

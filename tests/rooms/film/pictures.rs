@@ -11,10 +11,10 @@ use exr::prelude::{AnyChannels, FlatSamples, Layer, read_first_flat_layer_from_f
 use glam::{DQuat, DVec3};
 use immerse::{
     algebra::Complex,
-    cache::{Cache, Film, FrameReport},
     evolve::Frame,
+    evolve::FrameReport,
+    film::{Event, FilmError, FilmFolder, FilmMesh, FilmSpec, make_pictures, make_poster},
     mesh::Mesh,
-    movie::{Event, MovieError, make_pictures, make_poster},
     scene::Scene,
     spin::SpinStructure,
 };
@@ -23,8 +23,9 @@ use immerse::{
 fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
     let mesh = Mesh::from_faces(frames[0].len(), triangles).expect("a manifold");
     let film =
-        Film { scene: "test".into(), fingerprint: 7, frame_count: frames.len(), checks: scene("").checks.clone() };
-    let cache = Cache::open_or_create(folder, &film, &mesh, Some(&frames[0])).expect("a cache");
+        FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: frames.len(), checks: scene("").checks.clone() };
+    let kept = FilmMesh { places: Some(frames[0].clone()), ..FilmMesh::of(mesh.clone().into()) };
+    let cache = FilmFolder::open_or_create(folder, &film, &kept).expect("a film");
     for (k, positions) in frames.iter().enumerate() {
         let time = if frames.len() > 1 { k as f64 / (frames.len() - 1) as f64 } else { 0.0 };
         let report = FrameReport {
@@ -48,7 +49,7 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
     }
 }
 
-fn make(scene: &Scene, folder: &Path, frames: &[usize]) -> Result<usize, MovieError> {
+fn make(scene: &Scene, folder: &Path, frames: &[usize]) -> Result<usize, FilmError> {
     make_pictures(scene, folder, frames, &mut |_| {})
 }
 

@@ -2,11 +2,13 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use immerse::algebra::Complex;
-use immerse::cache::{Cache, CacheError, Film, FrameReport};
 use immerse::evolve::Frame;
+use immerse::evolve::FrameReport;
+use immerse::film::{DiskError, FilmFolder, FilmMesh, FilmSpec};
 use immerse::mesh::{EdgeId, Mesh};
 use immerse::scene::ChecksSection;
 use immerse::spin::SpinStructure;
@@ -17,9 +19,14 @@ fn tetrahedron() -> Mesh {
     Mesh::from_faces(4, &TETRAHEDRON).unwrap()
 }
 
-fn film() -> Film {
+/// What is kept of the tetrahedron.
+fn kept(places: Option<&Vec<DVec3>>) -> FilmMesh {
+    FilmMesh { places: places.cloned(), ..FilmMesh::of(Arc::new(tetrahedron())) }
+}
+
+fn film() -> FilmSpec {
     let checks = ChecksSection { max_rims: Some(0), ..Default::default() };
-    Film { scene: "test".into(), fingerprint: 7, frame_count: 4, checks }
+    FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: 4, checks }
 }
 
 fn state(frame: usize) -> Frame {
@@ -44,8 +51,8 @@ fn state(frame: usize) -> Frame {
 }
 
 /// A film with three of its four frames done.
-fn cache(folder: &Path) -> Cache {
-    let cache = Cache::open_or_create(folder, &film(), &tetrahedron(), None).unwrap();
+fn cache(folder: &Path) -> FilmFolder {
+    let cache = FilmFolder::open_or_create(folder, &film(), &kept(None)).unwrap();
     for frame in 1..=3 {
         cache.write_frame(&state(frame)).unwrap();
     }
@@ -71,7 +78,7 @@ fn what_was_written_comes_back_to_the_bit() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path().join("renders/test");
     let written = cache(&dir);
-    let cache = Cache::open(&dir).unwrap();
+    let cache = FilmFolder::open(&dir).unwrap();
     assert_eq!(cache.manifest(), written.manifest());
     assert_eq!(cache.triangles().unwrap(), TETRAHEDRON);
     let counts = cache.manifest().mesh;
@@ -89,7 +96,7 @@ fn what_was_written_comes_back_to_the_bit() {
     }
     assert_eq!(cache.frames().unwrap(), [1, 2, 3]);
     assert_eq!(cache.last_valid_frame().unwrap(), Some(3));
-    assert!(matches!(cache.read_frame(4), Err(CacheError::Missing { .. })));
+    assert!(matches!(cache.read_frame(4), Err(DiskError::Missing { .. })));
     assert!(contents(&dir).iter().all(|(name, _)| !name.ends_with(".part")));
 }
 
@@ -161,7 +168,7 @@ fn a_damaged_frame_says_so_and_how_to_mend_it() {
         let frame = |n: usize| folder.path().join(format!("frames/00000{n}.{ending}"));
         fs::copy(frame(3), frame(2)).unwrap();
     }
-    assert!(matches!(cache.read_frame(2), Err(CacheError::Damaged { .. })));
+    assert!(matches!(cache.read_frame(2), Err(DiskError::Damaged { .. })));
 }
 
 #[test]
@@ -169,22 +176,22 @@ fn another_scene_is_refused_and_nothing_overwritten() {
     let folder = tempfile::tempdir().unwrap();
     cache(folder.path());
     let before = contents(folder.path());
-    let changed = Film { fingerprint: 8, ..film() };
-    let other = Film { scene: "other".into(), ..changed.clone() };
+    let changed = FilmSpec { fingerprint: 8, ..film() };
+    let other = FilmSpec { scene: "other".into(), ..changed.clone() };
     let two_faces = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3]]).unwrap();
     for (film, mesh, found) in [
         (&changed, tetrahedron(), "another version of the scene `test`"),
         (&other, tetrahedron(), "the scene `test`; nothing was overwritten"),
         (&film(), two_faces, "the scene `test` on another mesh"),
     ] {
-        let error = Cache::open_or_create(folder.path(), film, &mesh, None).unwrap_err();
-        assert!(matches!(error, CacheError::OtherScene { .. }));
+        let error = FilmFolder::open_or_create(folder.path(), film, &FilmMesh::of(Arc::new(mesh.clone()))).unwrap_err();
+        assert!(matches!(error, DiskError::OtherScene { .. }));
         let message = error.to_string();
         assert!(message.contains(found) && message.contains("--restart") && message.contains("--out"), "{message}");
     }
     assert_eq!(contents(folder.path()), before);
     // Opening it with the same scene changes nothing either.
-    Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
+    FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
     assert_eq!(contents(folder.path()), before);
 }
 
@@ -192,22 +199,22 @@ fn another_scene_is_refused_and_nothing_overwritten() {
 fn places_of_the_mesh_are_kept_if_there_are_any() {
     let places: Vec<DVec3> = (0..4).map(|i| DVec3::new(f64::from(i) / 3.0, -0.0, 1e-300)).collect();
     let folder = tempfile::tempdir().unwrap();
-    let with = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
-    assert_eq!(with.places().unwrap(), Some(places.clone()));
+    let with = FilmFolder::open_or_create(folder.path(), &film(), &kept(Some(&places))).unwrap();
+    assert_eq!(with.mesh().unwrap().places, Some(places.clone()));
     assert_eq!(with.triangles().unwrap(), TETRAHEDRON);
     // Whoever goes on with the film leaves them as they are.
     let before = contents(folder.path());
-    let again = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
-    assert_eq!((again.places().unwrap(), contents(folder.path())), (Some(places.clone()), before));
+    let again = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
+    assert_eq!((again.mesh().unwrap().places, contents(folder.path())), (Some(places.clone()), before));
 
     // Folders without places stay without: what is there is not touched.
     let folder = tempfile::tempdir().unwrap();
     cache(folder.path());
     let before = contents(folder.path());
-    let again = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
-    assert_eq!((again.places().unwrap(), contents(folder.path())), (None, before));
-    let anew = Cache::restart(folder.path(), &film(), &tetrahedron(), Some(&places)).unwrap();
-    assert_eq!(anew.places().unwrap(), Some(places));
+    let again = FilmFolder::open_or_create(folder.path(), &film(), &kept(Some(&places))).unwrap();
+    assert_eq!((again.mesh().unwrap().places, contents(folder.path())), (None, before));
+    let anew = FilmFolder::restart(folder.path(), &film(), &kept(Some(&places))).unwrap();
+    assert_eq!(anew.mesh().unwrap().places, Some(places));
 }
 
 #[test]
@@ -216,10 +223,10 @@ fn a_restart_begins_anew_and_leaves_other_files_alone() {
     cache(folder.path());
     let stranger = folder.path().join("frames/notes.json");
     fs::write(&stranger, "mine").unwrap();
-    let changed = Film { fingerprint: 8, frame_count: 2, ..film() };
-    let cache = Cache::restart(folder.path(), &changed, &tetrahedron(), None).unwrap();
+    let changed = FilmSpec { fingerprint: 8, frame_count: 2, ..film() };
+    let cache = FilmFolder::restart(folder.path(), &changed, &kept(None)).unwrap();
     assert_eq!((cache.frames().unwrap(), cache.last_valid_frame().unwrap()), (vec![], None));
-    assert_eq!(Cache::open(folder.path()).unwrap().manifest().fingerprint, 8);
+    assert_eq!(FilmFolder::open(folder.path()).unwrap().manifest().fingerprint, 8);
     assert_eq!(fs::read_to_string(stranger).unwrap(), "mine");
 }
 
@@ -228,42 +235,42 @@ fn frames_of_another_scene_do_not_count_even_without_their_manifest() {
     let folder = tempfile::tempdir().unwrap();
     cache(folder.path());
     fs::remove_file(folder.path().join("manifest.json")).unwrap();
-    let changed = Film { fingerprint: 8, ..film() };
-    let cache = Cache::open_or_create(folder.path(), &changed, &tetrahedron(), None).unwrap();
+    let changed = FilmSpec { fingerprint: 8, ..film() };
+    let cache = FilmFolder::open_or_create(folder.path(), &changed, &kept(None)).unwrap();
     assert_eq!(cache.last_valid_frame().unwrap(), None);
 }
 
 #[test]
 fn manifests_of_other_versions_and_broken_ones_are_refused() {
     let folder = tempfile::tempdir().unwrap();
-    let error = Cache::open(folder.path()).unwrap_err();
-    assert!(matches!(error, CacheError::NotAFilm { .. }));
+    let error = FilmFolder::open(folder.path()).unwrap_err();
+    assert!(matches!(error, DiskError::NotAFilm { .. }));
     assert!(error.to_string().contains("simulate one first"), "{error}");
 
     cache(folder.path());
     let path = folder.path().join("manifest.json");
     let good = fs::read_to_string(&path).unwrap();
     fs::write(&path, good.replace("\"format\": 1", "\"format\": 2")).unwrap();
-    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
-    assert!(matches!(error, CacheError::Version { found: 2, .. }), "{error}");
+    let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
+    assert!(matches!(error, DiskError::Version { found: 2, .. }), "{error}");
     assert!(error.to_string().contains("it has format 2, this program reads format 1"), "{error}");
 
     for broken in [good.replace("test", "tset"), good[..good.len() / 2].to_owned(), String::new(), "{}".into()] {
         fs::write(&path, broken).unwrap();
-        let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
-        assert!(matches!(error, CacheError::Damaged { .. }), "{error}");
+        let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
+        assert!(matches!(error, DiskError::Damaged { .. }), "{error}");
         assert!(error.to_string().contains("--restart"), "{error}");
     }
     fs::write(&path, good).unwrap();
     fs::write(folder.path().join("mesh.npz"), "").unwrap();
-    let error = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap_err();
+    let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
     assert!(error.to_string().contains("mesh.npz: it is damaged"), "{error}");
 }
 
 #[test]
 fn frames_that_are_unfit_are_not_written() {
     let folder = tempfile::tempdir().unwrap();
-    let cache = Cache::open_or_create(folder.path(), &film(), &tetrahedron(), None).unwrap();
+    let cache = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
     let mut short = state(1);
     short.positions.pop();
     let mut diverged = state(1);
@@ -274,7 +281,7 @@ fn frames_that_are_unfit_are_not_written() {
         [(short, "there are 3 positions, the mesh wants 4"), (diverged, "not finite"), (infinite, "not finite")]
     {
         let error = cache.write_frame(&state).unwrap_err();
-        assert!(matches!(error, CacheError::Unfit { frame: 1, .. }));
+        assert!(matches!(error, DiskError::Unfit { frame: 1, .. }));
         assert!(error.to_string().contains(reason), "{error}");
     }
     assert_eq!(fs::read_dir(folder.path().join("frames")).unwrap().count(), 0);
@@ -283,7 +290,7 @@ fn frames_that_are_unfit_are_not_written() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_cannot_be_written_is_an_error_with_a_path() {
-    let error = Cache::open_or_create(Path::new("/proc/immerse"), &film(), &tetrahedron(), None).unwrap_err();
-    assert!(matches!(error, CacheError::Io { action: "created", .. }), "{error}");
+    let error = FilmFolder::open_or_create(Path::new("/proc/immerse"), &film(), &kept(None)).unwrap_err();
+    assert!(matches!(error, DiskError::Io { action: "created", .. }), "{error}");
     assert!(error.to_string().contains("/proc/immerse"), "{error}");
 }
