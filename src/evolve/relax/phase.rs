@@ -35,6 +35,9 @@ pub struct Phase {
     pub max_steps: usize,
     /// How many more steps it may take as long as there are rims.
     pub untangle_steps: usize,
+    /// Residual of the linear solve of a step relative to that of standing still. On the way to a later phase it is
+    /// looser as long as frames turn by much.
+    pub solver_tolerance: f64,
 }
 
 /// The length of a time step.
@@ -74,6 +77,7 @@ impl Default for Phase {
             min_steps: 3,
             max_steps: 400,
             untangle_steps: 0,
+            solver_tolerance: SOLVER_TOLERANCE,
         }
     }
 }
@@ -207,6 +211,7 @@ impl Phase {
             ("periods", self.periods, is_share(self.periods), share),
             ("crease", self.crease, self.crease.is_finite() && self.crease >= 0.0, "a finite number of at least 0"),
             ("tolerance", self.tolerance_radians.to_degrees(), is_positive(self.tolerance_radians), positive),
+            ("solver_tolerance", self.solver_tolerance, is_positive(self.solver_tolerance), positive),
             ("max_steps", self.max_steps as f64, self.max_steps >= self.min_steps.max(1), "at least 1 and `min_steps`"),
         ];
         faults.into_iter().find(|(_, _, is_possible, _)| !is_possible).map(|(name, value, _, what)| (name, value, what))
@@ -230,7 +235,7 @@ impl Phase {
             stiffness: self.stiffness,
             crease: self.crease,
             dt,
-            solver_tolerance: SOLVER_TOLERANCE,
+            solver_tolerance: self.solver_tolerance,
         }
     }
 

@@ -38,6 +38,7 @@ impl PhaseSection {
             min_steps: from("min_steps").min_steps,
             max_steps: from("max_steps").max_steps,
             untangle_steps: from("untangle_steps").untangle_steps,
+            solver_tolerance: phase.solver_tolerance,
         }
     }
 

@@ -73,6 +73,7 @@ pub(super) fn phase(table: &mut Table) -> PhaseSection {
         untangle_steps: table
             .key("untangle_steps", "So many more steps are taken as long as there are rims.")
             .or(default.untangle_steps),
+        solver_tolerance: default.solver_tolerance,
     };
     if phase.stiffness.iter().all(|&weight| weight == 0.0) {
         table.complain("epsilon", "all weights are 0, so that nothing is minimized", "make the first one 1");

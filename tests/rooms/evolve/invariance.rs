@@ -211,8 +211,8 @@ fn relax(surface: &Surface) -> Arc<Frame> {
     phases.truncate(4);
     for (k, phase) in phases.iter_mut().enumerate() {
         let accelerate = k == 3;
-        let dt = TimeStep::FaceAreas(3.0);
-        *phase = Phase { dt, min_steps: 3, max_steps: 3, tolerance_radians: 1e-20, accelerate, ..*phase };
+        let tight = Phase { solver_tolerance: 1e-14, tolerance_radians: 1e-20, ..*phase };
+        *phase = Phase { dt: TimeStep::FaceAreas(3.0), min_steps: 3, max_steps: 3, accelerate, ..tight };
     }
     simulation.change_phases(|own| own.clone_from(&phases)).expect("phases");
     let frame = simulation.relax(&mut Unobserved).expect("a frame");

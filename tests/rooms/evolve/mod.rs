@@ -1,10 +1,13 @@
 mod components;
+mod front_door;
 mod invariance;
 mod metric_film;
 mod orientation;
 mod paper_data;
 mod phases;
 mod relaxation;
+mod resume;
+mod schedule;
 mod smoothness;
 mod threads;
 mod work_counts;

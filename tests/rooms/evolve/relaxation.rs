@@ -142,6 +142,7 @@ fn printed_methods_find_the_sphere() {
             min_steps: 3,
             max_steps,
             untangle_steps: 0,
+            solver_tolerance: 1e-3,
         };
         let two = [phase([1.0; 4], 0.0, 600), phase([1.0, 0.01, 1.0, 0.1], 0.5, 600)];
         simulation.change_phases(|phases| *phases = two.to_vec()).expect("phases");

@@ -374,7 +374,6 @@ fn what_cannot_be_is_said_with_a_remedy() {
         ("[clock]\nframes = 9", vec![1, 5], "frame 5 has not been computed; run `immerse simulate` first"),
         ("[look]\nhide_faces = [80]", vec![1], "there is no face 80"),
         ("[look]\nhide = 'q'", vec![1], "there is no `q`"),
-        ("[mesh]\nshape = 'sphere'\nsubdivisions = 1\n[[pin]]\nvertices = [0]", vec![1], "not that of the film"),
         ("[[look.text]]\ntext = '{fame}'", vec![1], "asks for `{fame}`"),
         ("[camera]\ndirection = [0, 0, 1]\nup = [0, 0, -1]", vec![1], "parallel to the direction of view"),
     ] {

@@ -49,6 +49,7 @@ fn to_the_end(method: Method, dt: f64, max_steps: usize) -> Phase {
         min_steps: 1,
         max_steps,
         untangle_steps: 0,
+        solver_tolerance: 1e-10,
     }
 }
 

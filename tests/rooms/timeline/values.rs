@@ -310,6 +310,21 @@ fn points_move_by_three_formulas() {
 }
 
 #[test]
+fn a_clock_has_frames_and_goes_forward() {
+    // A film of no frames had the times of 2^64 - 1 intervals.
+    for frames in [0, Clock::MOST_FRAMES + 1, usize::MAX] {
+        assert!(
+            matches!(Clock::new(frames, [0.0, 1.0], false), Err(TimelineError::Frames { frames: f, .. }) if f == frames)
+        );
+    }
+    for times in [[1.0, 1.0], [1.0, 0.0], [f64::NAN, 1.0], [0.0, f64::INFINITY]] {
+        assert!(matches!(Clock::new(2, times, false), Err(TimelineError::Backwards { .. })), "{times:?}");
+    }
+    let one = Clock::new(1, [3.0, 4.0], false).expect("a clock");
+    assert_eq!((one.time(0), one.time(1), one.times().count()), (3.0, 3.0, 1));
+}
+
+#[test]
 fn the_clock_meets_its_ends() {
     let clock = |text: &str| {
         let scene = scene(&format!("[clock]\n{text}"));
