@@ -6,10 +6,9 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use immerse::algebra::Complex;
-use immerse::evolve::Frame;
-use immerse::evolve::FrameReport;
+use immerse::evolve::{BendingError, ComponentReport, Cursor, Frame, FrameReport};
 use immerse::film::{DiskError, FilmFolder, FilmMesh, FilmSpec};
-use immerse::mesh::{EdgeId, Mesh};
+use immerse::mesh::{EdgeId, Mesh, VertexId};
 use immerse::scene::ChecksSection;
 use immerse::spin::SpinStructure;
 
@@ -285,6 +284,83 @@ fn frames_that_are_unfit_are_not_written() {
         assert!(error.to_string().contains(reason), "{error}");
     }
     assert_eq!(fs::read_dir(folder.path().join("frames")).unwrap().count(), 0);
+}
+
+/// What is not a number is `null` in JSON, and a report with that could not be read again.
+#[test]
+fn a_report_has_numbers_only() {
+    type Put = fn(&mut FrameReport, f64);
+    let places: [(&str, Put); 27] = [
+        ("time", |r, x| r.time = x),
+        ("l2_length_error", |r, x| r.l2_length_error = x),
+        ("max_length_error", |r, x| r.max_length_error = x),
+        ("median_length_error", |r, x| r.median_length_error = x),
+        ("p95_length_error", |r, x| r.p95_length_error = x),
+        ("rim_length", |r, x| r.rim_length = x),
+        ("energy", |r, x| r.energy = x),
+        ("stiffness", |r, x| r.stiffness[1] = x),
+        ("period_error", |r, x| r.period_error = x),
+        ("curvature_error", |r, x| r.curvature_error = Some(x)),
+        ("mean_distance", |r, x| r.mean_distance = Some(x)),
+        ("pin_distance", |r, x| r.pin_distance = Some(x)),
+        ("strain", |r, x| r.strain = x),
+        ("median_move", |r, x| r.median_move = x),
+        ("max_move", |r, x| r.max_move = x),
+        ("enclosed_volume", |r, x| r.enclosed_volume = Some(x)),
+        ("largest_dent", |r, x| r.largest_dent = Some(x)),
+        ("rms_degrees", |r, x| r.bending_error = Some(BendingError { rms_degrees: x, ..Default::default() })),
+        ("max_degrees", |r, x| r.bending_error = Some(BendingError { max_degrees: x, ..Default::default() })),
+        ("thinness", |r, x| r.places.thinness = x),
+        ("sharpest_degrees", |r, x| r.places.sharpest_degrees = x),
+        ("dt", |r, x| r.cursor.dt = x),
+        ("turn", |r, x| r.cursor.turn = x),
+        ("seconds", |r, x| r.seconds = x),
+        ("a component", |r, x| r.components = vec![ComponentReport { l2_length_error: x, ..Default::default() }]),
+        ("a component", |r, x| r.components = vec![ComponentReport { max_length_error: x, ..Default::default() }]),
+        ("a component", |r, x| {
+            let cursor = Cursor { turn: x, ..Default::default() };
+            r.components = vec![ComponentReport { cursor, ..Default::default() }];
+        }),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    let cache = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
+    for (name, put) in places {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let mut frame = state(1);
+            put(&mut frame.report, bad);
+            let error = cache.write_frame(&frame).expect_err(name);
+            assert!(matches!(error, DiskError::Unfit { frame: 1, .. }), "{name}: {error}");
+        }
+        let mut frame = state(1);
+        put(&mut frame.report, 0.1 + 0.2);
+        cache.write_frame(&frame).expect(name);
+        assert_eq!(cache.read_frame(1).expect(name), frame, "{name}");
+    }
+}
+
+#[test]
+fn pins_and_the_sides_of_a_flat_torus_are_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let pins: Vec<VertexId> = [1, 3].map(VertexId::new).to_vec();
+    let lattice = Some([[3.0, 0.1], [-0.2, 2.5]]);
+    let mesh = FilmMesh { pins: pins.clone(), lattice, ..kept(None) };
+    let read = FilmFolder::open_or_create(folder.path(), &film(), &mesh).unwrap().mesh().unwrap();
+    assert_eq!((read.pins, read.lattice, read.places), (pins, lattice, None));
+    assert_eq!(read.mesh.triangles(), tetrahedron().triangles());
+}
+
+/// A film that was made before pins and the sides of flat tori were kept.
+#[test]
+fn older_films_are_read() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rooms/film/inputs/before_pins");
+    let film = FilmFolder::open(&folder).unwrap();
+    let mesh = film.mesh().unwrap();
+    assert_eq!((mesh.mesh.face_count(), mesh.pins.len(), mesh.lattice), (72, 0, None));
+    assert_eq!(mesh.places.unwrap().len(), 36);
+    let frame = film.read_frame(1).unwrap();
+    assert_eq!((frame.report.frame, frame.rims.len()), (1, 34));
+    assert!(frame.fits(&mesh.mesh).is_ok());
+    assert_eq!(frame.report.stiffness, [1.0, 1e-4, 1.0, 0.1]);
 }
 
 #[cfg(target_os = "linux")]
