@@ -6,7 +6,6 @@ use glam::DQuat;
 use immerse::{
     evolve::{Phase, Simulation},
     frames::{Shell, StepOptions, Stepper},
-    tuning::SOLVER_TOLERANCE,
 };
 use serde_json::{Value, json};
 
@@ -64,7 +63,7 @@ pub fn run(name: &str, repeats: usize, folder: Option<&Path>) -> Result<Value, B
         stiffness: phase.stiffness,
         crease: 0.0,
         dt: phase.dt.in_face_areas(shell.face_count()),
-        solver_tolerance: SOLVER_TOLERANCE,
+        solver_tolerance: phase.solver_tolerance,
     };
     let phases: Vec<StepOptions> = simulation.phases().iter().map(options).collect();
     let mut frames = simulation.face_frames();
