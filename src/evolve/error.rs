@@ -6,6 +6,7 @@ use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;
 use crate::immersion::{BendingError, PinError};
+use crate::mesh::SurfaceError;
 use crate::metric::NoMetric;
 use crate::spin::{Class, SpinError};
 
@@ -27,6 +28,9 @@ pub enum SetupError {
     /// Its target bending angles.
     #[error(transparent)]
     Bending(#[from] BendingError),
+    /// The surface holds arrays of another mesh.
+    #[error(transparent)]
+    Surface(SurfaceError),
     /// The shape that frames start from is not one of the mesh.
     #[error("the frames are to start from {found} positions, but the mesh has {vertices} vertices; {}", self.remedy())]
     StartCount {
@@ -59,6 +63,7 @@ impl Advice for SetupError {
             SetupError::Spin(error) => error.remedy(),
             SetupError::Pin(error) => error.remedy(),
             SetupError::Bending(error) => error.remedy(),
+            SetupError::Surface(error) => error.remedy(),
             SetupError::StartCount { .. } => "give one position per vertex".into(),
             SetupError::Shell(error) => error.remedy(),
             SetupError::Poisson(_) => EVEN_OUT.into(),

@@ -59,17 +59,18 @@ impl Simulation {
     /// # Errors
     /// [`SetupError`] saying which part of the program does not fit the surface.
     pub fn new(surface: Surface, program: Program) -> Result<Simulation, SetupError> {
+        surface.check().map_err(SetupError::Surface)?;
         let Surface { mesh, positions: mesh_positions, .. } = surface;
         let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
+        if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
+            return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
+        }
         let mesh = Arc::new(mesh);
         let time = clock.time(1);
         let course = Course::new(mesh.clone(), metric, bending, pins, time)?;
         let (metric, curvature_error) = course.last();
         let homology = Arc::new(Homology::new(&mesh, &metric));
         let spin = spin_of_class(&class, &mesh, &metric, &homology, mesh_positions.as_deref())?;
-        if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
-            return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
-        }
         let beginning = Beginning {
             course: &course,
             time,
@@ -183,8 +184,14 @@ impl Simulation {
         }
         let no_metric = |error| NoMetric { time, part: MetricPart::Lengths, error };
         let metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(no_metric)?);
-        for (relaxation, cursor) in self.components.iter_mut().zip(cursors) {
-            relaxation.resume(&self.course, &from, &metric, cursor)?;
+        let classes = match self.pace {
+            Pace::EachClass => self.split(&Class::of_number(frame - 1, self.homology.betti())),
+            Pace::Steps(_) | Pace::Settle(_) => {
+                self.components.iter().map(|relaxation| relaxation.state().class().clone()).collect()
+            }
+        };
+        for ((relaxation, cursor), class) in self.components.iter_mut().zip(cursors).zip(classes) {
+            relaxation.resume(&self.course, &from, &metric, cursor, class)?;
             relaxation.state().verify_class()?;
         }
         (self.frame, self.metric, self.previous) = (frame, metric, Some(from));
@@ -302,17 +309,24 @@ impl Simulation {
 
     /// Starts over in the class with this number, the last generator being its last binary digit.
     fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
-        let class = Class::of_number(number, self.homology.betti());
-        let mut rest = class.digits();
-        for relaxation in &mut self.components {
-            let own;
-            // Generators come component by component.
-            (own, rest) = rest.split_at(relaxation.state().betti());
+        let classes = self.split(&Class::of_number(number, self.homology.betti()));
+        for (relaxation, class) in self.components.iter_mut().zip(classes) {
             relaxation.state_mut().move_to(&mut self.course, time)?;
-            relaxation.begin_class(&self.course, Class::new(own.to_vec()))?;
+            relaxation.begin_class(&self.course, class)?;
         }
         self.previous = None;
         Ok(())
+    }
+
+    /// What a class of the whole surface is on each component. Generators come component by component.
+    fn split(&self, class: &Class) -> Vec<Class> {
+        let mut rest = class.digits();
+        let own = |relaxation: &Relaxation| {
+            let own;
+            (own, rest) = rest.split_at(relaxation.state().betti());
+            Class::new(own.to_vec())
+        };
+        self.components.iter().map(own).collect()
     }
 
     fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {

@@ -3,7 +3,7 @@
 use super::course::{Course, metric_of};
 use super::discretization::Discretization;
 use super::error::{EvolveError, SetupError};
-use crate::algebra::Complex;
+use super::frame::Frame;
 use crate::frames::Shell;
 use crate::immersion::{edge_vectors, frames_of_positions, l2_length_error, rims};
 use crate::mesh::{Component, EdgeId, Mesh, VertexId};
@@ -195,21 +195,20 @@ impl State {
         self.discretize(course)
     }
 
-    /// Goes back to what a frame says of the whole surface. The class is compared with that of the film by
-    /// [`State::verify_class`].
+    /// Goes back to what a frame says of the whole surface, with the metric of the frame. Whether it is in this class is
+    /// asked by [`State::verify_class`].
     pub fn restore(
         &mut self,
         course: &Course,
-        time: f64,
+        frame: &Frame,
         whole: &Arc<Metric>,
-        transports: &[Complex],
-        face_frames: &[DQuat],
+        class: Class,
     ) -> Result<(), EvolveError> {
-        let Component { edges, faces, .. } = &self.component;
-        self.spin = SpinStructure::of_known(edges.pick(transports));
-        self.face_frames = faces.pick(face_frames);
+        let (Component { edges, faces, .. }, time) = (&self.component, frame.report.time);
+        self.spin = SpinStructure::of_known(edges.pick(frame.spin.transports()));
+        self.face_frames = faces.pick(&frame.face_frames);
         self.metric = metric_of(&self.component, whole, time)?;
-        self.time = time;
+        (self.class, self.time) = (class, time);
         self.discretize(course)
     }
 

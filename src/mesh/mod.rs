@@ -29,6 +29,6 @@ pub use numbering::{Numbering, UnknownVertex};
 pub use read::{FileFormat, read, read_edge_lengths, read_positions, read_vertex_numbers, read_welded};
 pub use repair::{Repaired, repair};
 pub use selection::{EdgeSelection, Selection, SelectionError, select_edges, select_vertices};
-pub use surface::Surface;
+pub use surface::{Surface, SurfaceError};
 pub use weld::Weld;
 pub use write::{WriteError, write_obj};

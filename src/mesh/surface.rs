@@ -1,6 +1,7 @@
 //! A mesh with what is known of its geometry.
 
 use super::{Mesh, MeshError};
+use crate::advice::Advice;
 use glam::DVec3;
 
 /// What a reader or a generator hands on: connectivity and what is known of the geometry.
@@ -19,6 +20,25 @@ pub struct Surface {
     pub repairs: Vec<String>,
 }
 
+/// Why a surface does not hold together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[allow(missing_docs)] // the fields are what the messages say they are
+pub enum SurfaceError {
+    #[error("there are {found} {what}, the mesh wants {expected}; {}", self.remedy())]
+    Count { what: &'static str, found: usize, expected: usize },
+    #[error("the position of vertex {vertex} is not finite; {}", self.remedy())]
+    NotFinite { vertex: usize },
+}
+
+impl Advice for SurfaceError {
+    fn remedy(&self) -> String {
+        match self {
+            SurfaceError::Count { .. } => "take all of them from the same mesh".into(),
+            SurfaceError::NotFinite { .. } => "correct it, or leave the positions out".into(),
+        }
+    }
+}
+
 impl Surface {
     /// A surface known by the positions of its vertices.
     ///
@@ -27,6 +47,29 @@ impl Surface {
     pub fn from_positions(positions: Vec<DVec3>, faces: &[[u32; 3]]) -> Result<Surface, MeshError> {
         let mesh = Mesh::from_faces(positions.len(), faces)?;
         Ok(Surface { mesh, positions: Some(positions), coordinates: None, edge_lengths: None, repairs: Vec::new() })
+    }
+
+    /// Whether every array has one entry per vertex or edge, and positions are finite.
+    ///
+    /// # Errors
+    /// [`SurfaceError`] for the first array that is of another mesh.
+    pub fn check(&self) -> Result<(), SurfaceError> {
+        let (vertices, edges) = (self.mesh.vertex_count(), self.mesh.edge_count());
+        let counts = [
+            ("positions", self.positions.as_ref().map(Vec::len), vertices),
+            ("coordinates", self.coordinates.as_ref().map(Vec::len), vertices),
+            ("edge lengths", self.edge_lengths.as_ref().map(Vec::len), edges),
+        ];
+        for (what, found, expected) in counts {
+            if let Some(found) = found.filter(|found| *found != expected) {
+                return Err(SurfaceError::Count { what, found, expected });
+            }
+        }
+        let lost = |points: &Option<Vec<DVec3>>| points.iter().flatten().position(|point| !point.is_finite());
+        match lost(&self.positions).or(lost(&self.coordinates)) {
+            Some(vertex) => Err(SurfaceError::NotFinite { vertex }),
+            None => Ok(()),
+        }
     }
 
     /// Positions, or else coordinates: what formulas and selections mean by x, y and z of each vertex, |V|.

@@ -165,16 +165,16 @@ impl Relaxation {
         Ok(())
     }
 
-    /// Goes on after a frame of an earlier run.
+    /// Goes on after a frame of an earlier run, which is in this class.
     pub fn resume(
         &mut self,
         course: &Course,
         frame: &Frame,
         whole: &Arc<Metric>,
         cursor: Cursor,
+        class: Class,
     ) -> Result<(), EvolveError> {
-        let (time, transports) = (frame.report.time, frame.spin.transports());
-        self.state.restore(course, time, whole, transports, &frame.face_frames)?;
+        self.state.restore(course, frame, whole, class)?;
         (self.cursor, self.frame) = (cursor, frame.report.frame);
         Ok(())
     }

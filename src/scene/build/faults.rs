@@ -15,6 +15,7 @@ impl Scene {
             SetupError::Spin(error) => self.spin_fault(error),
             SetupError::Pin(error) => self.pin_fault(error),
             SetupError::Bending(error) => self.complain_about(&bending_key(error), error),
+            SetupError::Surface(_) => self.complain_about("mesh", error),
             SetupError::StartCount { .. } => self.complain_about("start", error),
             SetupError::Shell(_) => self.complain_about("bending", error),
             SetupError::Poisson(_) => self.complain_about("metric", error),
