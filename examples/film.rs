@@ -1,4 +1,5 @@
 //! A film with an observer: a torus breathes. `cargo run --release --example film`.
+#![allow(clippy::print_stdout, reason = "an example talks")]
 
 use std::ops::ControlFlow;
 

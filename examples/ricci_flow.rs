@@ -1,4 +1,5 @@
 //! Ricci flow without any positions: a dented metric becomes round. `cargo run --release --example ricci_flow`.
+#![allow(clippy::print_stdout, reason = "an example talks")]
 
 use immerse::mesh::shapes;
 use immerse::metric::{CurvatureTarget, Metric, RicciFlow, lengths_of_positions};
@@ -6,7 +7,7 @@ use immerse::{Immersion, Mesh};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let sphere = shapes::sphere(1.0, 10)?;
-    let bumpy: Vec<_> = sphere.positions.iter().flatten().map(|p| *p * (1.0 + 0.2 * (5.0 * p.x).sin())).collect();
+    let bumpy: Vec<_> = sphere.positions.iter().flatten().map(|p| *p * (1.0 + 0.2 * libm::sin(5.0 * p.x))).collect();
     let mesh: &Mesh = &sphere.mesh;
     let lengths = lengths_of_positions(mesh, &bumpy);
     let mut flow = RicciFlow::new(mesh, &lengths, &CurvatureTarget::default())?;

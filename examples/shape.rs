@@ -1,4 +1,5 @@
 //! Edge lengths in, surface out: `cargo run --release --example shape`.
+#![allow(clippy::print_stdout, reason = "an example talks")]
 
 use immerse::{Immersion, Mesh, Metric};
 
