@@ -22,7 +22,7 @@ const POSTER_SIDE: usize = 1200;
 /// Makes one small file that shows a film as a whole: its only frame, or a contact sheet.
 ///
 /// # Errors
-/// As [`make_pictures`].
+/// As [`make_pictures`](crate::film::make_pictures).
 pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), FilmError> {
     let plan = Plan::of(scene)?;
     let frames: Vec<usize> = (1..=scene.clock.frames).collect();
@@ -41,7 +41,7 @@ pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch)
 /// Makes one small file that shows the last frame of a film in all the looks that have a name.
 ///
 /// # Errors
-/// As [`make_pictures`].
+/// As [`make_pictures`](crate::film::make_pictures).
 pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), FilmError> {
     let last = [scene.clock.frames];
     let mut whole: Option<(Picture, Sheet)> = None;
