@@ -2,9 +2,10 @@
 
 use super::pace::Pace;
 use super::relax::Schedule;
-use crate::immersion::{Pins, TargetBending};
-use crate::metric::MetricProgram;
-use crate::spin::Class;
+use crate::immersion::{Pins, TargetBending, spin_of_immersion};
+use crate::mesh::Mesh;
+use crate::metric::{Metric, MetricProgram};
+use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
 use glam::DVec3;
 
@@ -75,6 +76,29 @@ pub enum AskedClass {
     Of(Class),
     /// Every class in turn, one a frame, each relaxed from the start. Goes with [`Pace::EachClass`].
     All,
+}
+
+impl AskedClass {
+    /// The spin structure in this class; `positions` are those of the mesh, |V|, if it has any.
+    pub(super) fn spin(
+        &self,
+        mesh: &Mesh,
+        metric: &Metric,
+        homology: &Homology,
+        positions: Option<&[DVec3]>,
+    ) -> Result<SpinStructure, SpinError> {
+        let of = |class: &Class| SpinStructure::of_class(mesh, metric, homology, class.digits());
+        match (self, positions) {
+            (AskedClass::Of(class), _) => of(class),
+            // There is nothing to read where there is but one class.
+            (AskedClass::OfMesh, _) if homology.betti() == 0 => Ok(SpinStructure::new(mesh, metric, homology)),
+            (AskedClass::OfMesh, None) | (AskedClass::All, _) => of(&Class::zeros(homology.betti())),
+            (AskedClass::OfPositions, None) => Err(SpinError::NoPositions),
+            (AskedClass::OfMesh | AskedClass::OfPositions, Some(positions)) => {
+                spin_of_immersion(mesh, metric, positions)
+            }
+        }
+    }
 }
 
 /// Where frames start.

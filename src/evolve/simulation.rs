@@ -6,7 +6,7 @@ use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
 use super::pace::Pace;
 use super::placement::{middle, next_in_row};
-use super::program::{AskedClass, Program};
+use super::program::Program;
 use super::progress::Observer;
 use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
@@ -70,7 +70,7 @@ impl Simulation {
         let course = Course::new(mesh.clone(), metric, bending, pins, time)?;
         let (metric, curvature_error) = course.last();
         let homology = Arc::new(Homology::new(&mesh, &metric));
-        let spin = spin_of_class(&class, &mesh, &metric, &homology, mesh_positions.as_deref())?;
+        let spin = class.spin(&mesh, &metric, &homology, mesh_positions.as_deref())?;
         let beginning = Beginning {
             course: &course,
             time,
@@ -384,24 +384,5 @@ impl Simulation {
             vertices.put(&positions, &mut whole);
         }
         whole
-    }
-}
-
-/// The spin structure in the class that is asked for; `positions` are those of the mesh, if it has any.
-fn spin_of_class(
-    class: &AskedClass,
-    mesh: &Mesh,
-    metric: &Metric,
-    homology: &Homology,
-    positions: Option<&[DVec3]>,
-) -> Result<SpinStructure, SpinError> {
-    let of = |class: &Class| SpinStructure::of_class(mesh, metric, homology, class.digits());
-    match (class, positions) {
-        (AskedClass::Of(class), _) => of(class),
-        // There is nothing to read where there is but one class.
-        (AskedClass::OfMesh, _) if homology.betti() == 0 => Ok(SpinStructure::new(mesh, metric, homology)),
-        (AskedClass::OfMesh, None) | (AskedClass::All, _) => of(&Class::zeros(homology.betti())),
-        (AskedClass::OfPositions, None) => Err(SpinError::NoPositions),
-        (AskedClass::OfMesh | AskedClass::OfPositions, Some(positions)) => spin_of_immersion(mesh, metric, positions),
     }
 }

@@ -320,7 +320,7 @@ fn curvature_that_cannot_be() {
     refuse(&[], &ricci(SPHERE, &all), &["film.toml:4:1", place, "instead of 2 pi chi = 12.56"]);
     for total in [360.0, 400.0] {
         let one = region("vertices = [3]", total);
-        let parts = ["film.toml:4:1", "region 0", "degrees are too many for 1 vertices", "less than 360 degrees"];
+        let parts = ["film.toml:6:1", "region 0", "degrees are too many for 1 vertices", "less than 360 degrees"];
         refuse(&[], &ricci(SPHERE, &one), &parts);
     }
     let nothing = region("ball = [0, 0, 9, 1]", 90.0);

@@ -60,7 +60,7 @@ fn what_does_not_fit_is_said() {
     ));
     assert!("02".parse::<immerse::Class>().is_err());
     let error = Immersion::of(&mesh, &metric).start_at(&positions[1..]).relax().expect_err("too few");
-    assert!(matches!(error, ImmersionError::Setup(SetupError::StartCount { .. })), "{error}");
+    assert!(matches!(error, ImmersionError::Setup(SetupError::Surface(SurfaceError::Count { .. }))), "{error}");
     let program = Program::of(MetricProgram::of(Lengths::fixed(metric.edge_lengths().to_vec())));
     let wrong = Surface {
         edge_lengths: Some(vec![1.0; 3]),
