@@ -45,9 +45,9 @@ impl Advice for PinError {
 #[derive(Clone, Debug, Default)]
 pub struct Pins {
     groups: Vec<PinGroup>,
-    /// The pinned vertices, each once, in order,
+    /// The pinned vertices, each once, in order.
     vertices: Vec<VertexId>,
-    /// and their numbers in the mesh file.
+    /// The numbers of the pinned vertices in the mesh file.
     numbers: Vec<usize>,
 }
 

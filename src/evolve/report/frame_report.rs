@@ -29,9 +29,9 @@ pub struct ComponentReport {
 pub struct BendingError {
     /// Root mean square in degrees, edges weighted by length.
     pub rms_degrees: f64,
-    /// The largest one in degrees,
+    /// The largest distance in degrees.
     pub max_degrees: f64,
-    /// and the ends of its edge.
+    /// The ends of the edge with the largest distance.
     pub edge: [usize; 2],
 }
 
@@ -45,13 +45,13 @@ pub struct Places {
     pub rims: Vec<[usize; 2]>,
     /// The first few pinch points.
     pub pinch_points: Vec<usize>,
-    /// The thinnest face,
+    /// The thinnest face.
     pub thinnest_face: usize,
-    /// and its least height over its longest side; 0.87 for an equilateral triangle.
+    /// The least height of the thinnest face over its longest side; 0.87 for an equilateral triangle.
     pub thinness: f64,
-    /// The inner vertex of largest absolute curvature,
+    /// The inner vertex of largest absolute curvature.
     pub sharpest_vertex: usize,
-    /// and that curvature in degrees.
+    /// The curvature of that vertex in degrees.
     pub sharpest_degrees: f64,
 }
 
@@ -108,13 +108,13 @@ pub struct FrameReport {
     /// Largest such distance.
     #[serde(default)]
     pub max_move: f64,
-    /// Rims that were not there in the frame before,
+    /// Number of rims that were not there in the frame before.
     #[serde(default)]
     pub rims_born: usize,
-    /// that are no longer there,
+    /// Number of rims of the frame before that are no longer there.
     #[serde(default)]
     pub rims_died: usize,
-    /// and that moved to an edge which shares a vertex with the old one.
+    /// Number of rims that moved to an edge which shares a vertex with the old one.
     #[serde(default)]
     pub rims_moved: usize,
     /// The volume that the surface encloses, positive where its front is outside; parts that are covered several times

@@ -3,11 +3,11 @@
 /// What happens while pictures are made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Event {
-    /// A stage of so many parts begins.
+    /// A stage begins, which has this number of parts.
     Begin(&'static str, usize),
-    /// So many parts of it are done.
+    /// This number of its parts is done.
     Done(usize),
-    /// Worth saying.
+    /// Something that is worth saying.
     Note(String),
 }
 

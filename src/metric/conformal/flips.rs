@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 
 /// How far an edge must be from Delaunay, as a sum of two cosines, to be flipped.
 const DELAUNAY_SLACK: f64 = 1e-10;
-/// Flips per edge after which a Delaunay triangulation is not expected any more,
+/// Flips per edge after which a Delaunay triangulation is not expected any more.
 const FLIPS_PER_EDGE: usize = 100;
-/// and after which scale factors are too far from those before.
+/// Flips per edge in one step after which scale factors are too far from those before.
 const FLIPS_PER_STEP: usize = 20;
 
 /// The two faces at an edge: `[a, b, c]` and `[b, a, d]` around edge `ab`.

@@ -35,9 +35,9 @@ const GAMMA: f64 = 1.0 - FRAC_1_SQRT_2;
 #[derive(Clone, Debug)]
 pub struct RicciFlow {
     triangulation: Triangulation,
-    /// What the flow aims at on its way,
+    /// What the flow aims at on its way.
     goal: Goal,
-    /// and what was asked for.
+    /// What was asked for.
     asked: Goal,
     limit: Conformal,
     initial_area: f64,

@@ -1,7 +1,7 @@
 //! A scene as plain data: what the file says, after types and keys were checked and defaults filled in.
 //!
 //! Angles are in degrees here, as in the file. Lengths and times are unit-free. Nothing in this module
-//! computes; each stage turns its part into a validated value in its own `from_scene`.
+//! computes; `scene::build` turns it into the validated values of the rooms.
 
 use std::path::PathBuf;
 

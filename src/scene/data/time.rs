@@ -38,9 +38,9 @@ pub struct ClockSection {
     /// A film of the relaxation itself: so many steps from frame to frame. Left out, every frame of a film whose
     /// scene changes with time is relaxed until it has settled, and in any other film it is 2.
     pub steps_per_frame: Option<usize>,
-    /// A frame has settled when the mean turn of its face frames per step is below this (degrees),
+    /// A frame has settled when the mean turn of its face frames per step is below this many degrees, or after `max_steps`.
     pub tolerance: f64,
-    /// or after this many steps.
+    /// The number of steps after which a frame counts as settled, whether frames stand still or not.
     pub max_steps: usize,
     /// A frame is done as soon as its L2 length error is at most this and it has no rims. Left out, it is relaxed until
     /// it has settled.
