@@ -229,9 +229,10 @@ impl FrameReport {
         ];
         let sometimes = [curvature_error, mean_distance, pin_distance, enclosed_volume, largest_dent];
         let of_bending = bending_error.map_or([0.0; 2], |error| [error.rms_degrees, error.max_degrees]);
-        let of_components = components
-            .iter()
-            .flat_map(|part| [part.l2_length_error, part.max_length_error, part.cursor.dt, part.cursor.turn]);
+        let of_components = components.iter().flat_map(|part| {
+            let ComponentReport { l2_length_error, max_length_error, cursor, .. } = *part;
+            [l2_length_error, max_length_error, cursor.dt, cursor.turn]
+        });
         let mut numbers = (always.into_iter().copied())
             .chain(sometimes.into_iter().flatten().copied())
             .chain(*stiffness)

@@ -95,17 +95,17 @@ impl<'b> ArrayReader<'b> {
     /// The entries of an array that must have this shape.
     pub fn array<T: Element>(&mut self, name: &str, shape: &[u64]) -> Result<Vec<T>, String> {
         let size = size_of::<T>();
-        let count: u64 = shape.iter().product();
+        let count = shape.iter().fold(1_u64, |count, side| count.saturating_mul(*side));
         let mut bytes = Vec::new();
         let file = self.0.by_name(&format!("{name}.npy")).map_err(|error| format!("array `{name}`: {error}"))?;
         let header = header::<T>(shape);
         // Never more than what belongs there, whatever the archive claims.
-        file.take(header.len() as u64 + count * size as u64 + 1)
+        file.take((header.len() as u64).saturating_add(count.saturating_mul(size as u64)).saturating_add(1))
             .read_to_end(&mut bytes)
             .map_err(|error| format!("array `{name}`: {error}"))?;
         let entries = bytes
             .strip_prefix(&header[..])
-            .filter(|entries| entries.len() as u64 == count * size as u64)
+            .filter(|entries| entries.len() as u64 == count.saturating_mul(size as u64))
             .ok_or_else(|| format!("array `{name}` is not one of type {} and shape {shape:?}", T::TYPE))?;
         entries.chunks_exact(size).map(|entry| T::get(entry).ok_or_else(|| format!("array `{name}`"))).collect()
     }
