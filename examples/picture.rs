@@ -4,7 +4,7 @@ use glam::DVec3;
 use immerse::evolve::Orientation;
 use immerse::mesh::shapes;
 use immerse::metric::lengths_of_positions;
-use immerse::render::{Camera, Extent, Lights, Look, LookName, Metadata, Output, Plane, Png, Scenery, View, render};
+use immerse::render::{Camera, Extent, Lights, Look, LookName, Metadata, Output, Png, Scenery, View, render};
 use immerse::{Immersion, Metric};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -21,15 +21,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let output = Output::new(1600, 1200, 8)?;
     let view = View::default().with_up(DVec3::Z)?.with_direction(DVec3::new(0.3, -1.0, 0.9))?;
     let camera = Camera::framing(&view, &extent, &output)?;
-    let ground = Plane { normal: DVec3::Z, offset: extent.lowest(DVec3::Z) };
-    let scenery = Scenery {
-        triangles: &triangles,
-        positions: shape.positions(),
-        rims: &rims,
-        ground: Some(ground),
-        ..Scenery::default()
-    };
-    let picture = render(&scenery, &camera, &Lights::default(), &Look::preset(LookName::Studio), &output)?;
+    let scenery = Scenery { triangles: &triangles, positions: shape.positions(), rims: &rims, ..Scenery::default() };
+    let picture = render(&scenery, &camera, &Lights::default(), &Look::preset(LookName::Soap), &output)?;
     picture.write_png("torus.png".as_ref(), Png::default(), &Metadata::default())?;
     Ok(())
 }

@@ -327,7 +327,7 @@ fn curvature_that_cannot_be() {
     refuse(&[], &ricci(SPHERE, &nothing), &["film.toml:6:1", "nothing is selected", "choose a larger region"]);
     let disk = "[mesh]\nshape = 'disk'\nrings = 3\n";
     let rim = region("boundary = [0]", 90.0);
-    refuse(&[], &ricci(disk, &rim), &["film.toml:4:1", "region 0", "no interior vertices"]);
+    refuse(&[], &ricci(disk, &rim), &["film.toml:6:1", "region 0", "no interior vertices"]);
     refuse(&[], &ricci(disk, "turning = 9000\n"), &["film.toml:4:1", "target curvature of vertex", "below 3.14"]);
 }
 
