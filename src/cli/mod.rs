@@ -27,5 +27,5 @@ pub use curves::{curves_csv, curves_svg};
 pub use failure::PipelineError;
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use pipeline::Summary;
-pub use progress::Progress;
+pub use progress::Stages;
 pub use verdict::verdict;

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::failure::PipelineError;
-use super::progress::Progress;
+use super::progress::Stages;
 use super::set_up::{SetUp, at_fault, contradictions};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
@@ -29,8 +29,8 @@ pub(super) fn run(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
-    simulating: &mut dyn Progress,
-    picturing: &mut dyn Progress,
+    simulating: &mut dyn Stages,
+    picturing: &mut dyn Stages,
 ) -> Result<[Summary; 2], PipelineError> {
     let arrivals = Arrivals::default();
     let mut simulated = None;
@@ -56,7 +56,7 @@ pub(super) fn simulate(
     scene: &Scene,
     folder: &Path,
     restart: bool,
-    progress: &mut dyn Progress,
+    progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
     // On a thread of the pool, where work in parallel begins and ends at less cost.
     let mut summary = None;
@@ -70,7 +70,7 @@ fn simulate_for(
     folder: &Path,
     restart: bool,
     arrivals: &Arrivals,
-    progress: &mut dyn Progress,
+    progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
     let set_up = SetUp::of(scene)?;
@@ -108,7 +108,7 @@ fn simulate_for(
 
 /// Passes the progress of a relaxation on.
 struct Watcher<'a> {
-    progress: &'a mut dyn Progress,
+    progress: &'a mut dyn Stages,
     arrivals: &'a Arrivals,
     phase: Option<(usize, usize)>,
 }
@@ -135,7 +135,7 @@ pub(super) fn render_frames(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
-    progress: &mut dyn Progress,
+    progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
     let made = film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
     Ok(Summary { made, kept: 0 })
@@ -146,7 +146,7 @@ pub(super) fn poster(
     scene: &Scene,
     folder: &Path,
     path: &Path,
-    progress: &mut dyn Progress,
+    progress: &mut dyn Stages,
 ) -> Result<(), PipelineError> {
     simulate(scene, folder, false, progress)?;
     Ok(film::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
@@ -157,12 +157,12 @@ pub(super) fn look_sheet(
     scene: &Scene,
     folder: &Path,
     path: &Path,
-    progress: &mut dyn Progress,
+    progress: &mut dyn Stages,
 ) -> Result<(), PipelineError> {
     Ok(film::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
 }
 
-fn pass_on(event: film::Event, progress: &mut dyn Progress) {
+fn pass_on(event: film::Event, progress: &mut dyn Stages) {
     match event {
         film::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
         film::Event::Done(done) => progress.advance(done, None),

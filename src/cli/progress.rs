@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use indicatif::{MultiProgress, ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Is told how far a run is.
-pub trait Progress: Send {
+/// Is told of the stages of a run, and how far each is.
+pub trait Stages: Send {
     /// A stage begins: its name, and how many parts it has if that is known.
     fn begin(&mut self, stage: &str, parts: Option<usize>);
 
@@ -42,7 +42,7 @@ impl Bar {
     }
 }
 
-impl Progress for Bar {
+impl Stages for Bar {
     fn begin(&mut self, stage: &str, parts: Option<usize>) {
         let template = match parts {
             Some(_) => "{prefix:>12} {bar:30} {pos}/{len} {msg} ({eta} left)",

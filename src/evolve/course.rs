@@ -1,7 +1,7 @@
 //! What is asked of the surface over time: its metric, its target bending angles, the places of its pins.
 
 use super::error::EvolveError;
-use crate::immersion::{BendingError, PinError, Pins, TargetBending};
+use crate::immersion::{NoAngle, PinError, Pins, TargetBending};
 use crate::mesh::{Component, Mesh, VertexId};
 use crate::metric::{Metric, MetricAt, MetricPart, MetricProgram, NoMetric};
 use glam::DVec3;
@@ -78,7 +78,7 @@ impl Course {
     }
 
     /// The target bending angles of a component in radians, one per edge; `None` for a shell that is flat at rest.
-    pub fn angles_of(&self, component: &Component, time: f64) -> Result<Option<Vec<f64>>, BendingError> {
+    pub fn angles_of(&self, component: &Component, time: f64) -> Result<Option<Vec<f64>>, NoAngle> {
         let angles = self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
         Ok(angles.map(|angles| component.edges.pick(&angles)))
     }

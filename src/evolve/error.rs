@@ -5,7 +5,7 @@ use super::frame::UnfitFrame;
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;
-use crate::immersion::{BendingError, PinError};
+use crate::immersion::{NoAngle, PinError};
 use crate::mesh::SurfaceError;
 use crate::metric::NoMetric;
 use crate::spin::{Class, SpinError};
@@ -27,7 +27,7 @@ pub enum SetupError {
     Pin(#[from] PinError),
     /// Its target bending angles.
     #[error(transparent)]
-    Bending(#[from] BendingError),
+    Bending(#[from] NoAngle),
     /// The surface holds arrays of another mesh.
     #[error(transparent)]
     Surface(SurfaceError),
@@ -142,7 +142,7 @@ pub enum EvolveError {
     Pin(#[from] PinError),
     /// There are no target bending angles.
     #[error(transparent)]
-    Bending(#[from] BendingError),
+    Bending(#[from] NoAngle),
     /// Target bending angles of another mesh.
     #[error(transparent)]
     Shell(#[from] ShellError),

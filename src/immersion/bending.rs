@@ -16,7 +16,7 @@ pub enum BendingPart {
 /// An amount or an angle that has no value at a time.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[error("it is {value} at time {time}; {}", self.remedy())]
-pub struct BendingError {
+pub struct NoAngle {
     /// Which.
     pub part: BendingPart,
     /// What it is.
@@ -25,7 +25,7 @@ pub struct BendingError {
     pub time: f64,
 }
 
-impl Advice for BendingError {
+impl Advice for NoAngle {
     fn remedy(&self) -> String {
         "correct the formula, it must be finite there".into()
     }
@@ -78,11 +78,11 @@ impl TargetBending {
     /// The targets at a time in radians, |E|; those of boundary edges mean nothing.
     ///
     /// # Errors
-    /// [`BendingError`] with the amount or angle that has no value.
-    pub fn at(&self, time: f64) -> Result<Vec<f64>, BendingError> {
+    /// [`NoAngle`] with the amount or angle that has no value.
+    pub fn at(&self, time: f64) -> Result<Vec<f64>, NoAngle> {
         let finite = |number: &Number, part| match number.at(time) {
             value if value.is_finite() => Ok(value),
-            value => Err(BendingError { part, value, time }),
+            value => Err(NoAngle { part, value, time }),
         };
         let amount = finite(&self.amount, BendingPart::Amount)?;
         let mut angles: Vec<f64> = self.angles.iter().map(|angle| amount * angle).collect();

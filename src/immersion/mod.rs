@@ -18,7 +18,7 @@ mod spin_of_immersion;
 mod starting_shape;
 
 pub use alignment::RigidMotion;
-pub use bending::{BendingError, BendingPart, TargetBending};
+pub use bending::{BendingPart, NoAngle, TargetBending};
 pub use conformal_factor::ConformalFactor;
 pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};

@@ -1,6 +1,6 @@
 //! No folds that the metric does not ask for.
 //!
-//! With the ε₁ of the last phase, which is nearly nothing, a dent or a pleat costs next to no energy. Where the scene
+//! With the ε₁ of the last phase, which is nearly nothing, a dent or a pleat costs next to no energy. Where a program
 //! asks for no folds, the frames of a film are therefore settled twice: first with as large an ε₁ as their lengths allow,
 //! which smooths out what the metric does not ask for, then with that of the phase, which takes out the length error
 //! that stiffness makes. A film begins at the largest ε₁ and comes down when a frame would not have its lengths

@@ -2,7 +2,7 @@
 
 use crate::advice::Advice;
 use crate::evolve::{EvolveError, SetupError};
-use crate::immersion::{BendingError, BendingPart, PinError};
+use crate::immersion::{BendingPart, NoAngle, PinError};
 use crate::metric::{MetricError, MetricPart, NoMetric};
 use crate::scene::{Scene, SceneError};
 use crate::spin::SpinError;
@@ -68,7 +68,7 @@ impl Scene {
     }
 }
 
-fn bending_key(error: &BendingError) -> String {
+fn bending_key(error: &NoAngle) -> String {
     match error.part {
         BendingPart::Amount => "bending.amount".into(),
         BendingPart::Region(number) => format!("bending.region[{number}].angle"),
