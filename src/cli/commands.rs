@@ -9,17 +9,14 @@ use clap::{CommandFactory, Parser};
 
 use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::check;
-use super::checks::step_limit_line;
-use super::curves::write_curves;
 use super::diagnostics::{say, say_scene_errors};
 use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
-use super::inspect::Inspection;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, Summary};
 use super::progress::Bar;
+use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::count_classes;
-use super::verdict::verdict;
 use crate::film::DiskError;
 use crate::film::{self, Leftovers};
 use crate::scene::{MeshSection, OutputSection, Scene};

@@ -5,27 +5,21 @@
 
 mod arguments;
 mod check;
-mod checks;
 mod commands;
-mod curves;
 mod diagnostics;
 mod failure;
 mod frame_range;
 mod gallery;
-mod inspect;
 mod picture_options;
 mod pipeline;
 mod progress;
+mod results;
 mod selections;
 mod set_up;
-mod text_table;
-mod verdict;
 
-pub use checks::{Check, checks_of, step_limit_line};
 pub use commands::main;
-pub use curves::{curves_csv, curves_svg};
 pub use failure::PipelineError;
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use pipeline::Summary;
 pub use progress::Stages;
-pub use verdict::verdict;
+pub use results::{Check, checks_of, curves_csv, curves_svg, step_limit_line, verdict};

@@ -62,7 +62,7 @@ impl Stages for Bar {
     fn advance(&mut self, done: usize, length_error: Option<f64>) {
         self.bar.set_position(done as u64);
         if let Some(error) = length_error {
-            self.bar.set_message(format!("error {}", super::text_table::percent(error)));
+            self.bar.set_message(format!("error {}", super::results::percent(error)));
         }
     }
 

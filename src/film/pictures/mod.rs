@@ -5,25 +5,19 @@
 //! taken, several at a time as memory allows, written as they are done, and handed in order to moving pictures. The files are
 //! the same bytes for any number of threads, and whether or not frames are still being computed meanwhile ([`Arrivals`]).
 
-mod arrivals;
 mod coordinates;
-mod event;
-mod in_order;
 mod labels;
-mod memory;
+mod passes;
 mod plan;
 mod quantities;
-mod reel;
 mod sheet;
 mod sheets;
 mod shoot;
 mod shots;
 mod stills;
 mod subject;
-mod survey;
 
-pub use arrivals::Arrivals;
-pub use event::{Event, Watch};
+pub use passes::{Arrivals, Event, Watch};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
 pub use stills::{make_pictures, make_pictures_of_arrivals};

@@ -2,12 +2,10 @@
 
 use std::path::Path;
 
-use super::arrivals::Arrivals;
-use super::event::{Event, Watch};
+use super::passes::{Arrivals, Event, Survey, Watch, metadata, survey};
 use super::plan::Plan;
 use super::sheet::{Sheet, evenly};
 use super::shoot::shoot;
-use super::survey::{Survey, metadata, survey};
 use crate::film::error::FilmError;
 use crate::render::{LookName, Metadata, Output, Picture, Png};
 use crate::scene::{LookSection, Scene};

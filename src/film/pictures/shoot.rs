@@ -1,11 +1,8 @@
 //! Pictures of frames, made in parallel and taken in order.
 
-use super::in_order::in_order;
-use super::memory::{at_a_time, picture_bytes};
+use super::passes::{Frames, Survey, at_a_time, in_order, picture_bytes};
 use super::plan::Plan;
-use super::reel::Frames;
 use super::shots::Shots;
-use super::survey::Survey;
 use crate::film::error::FilmError;
 use crate::render::{Metadata, Output, Picture};
 
@@ -38,10 +35,10 @@ pub(super) fn shoot<T: Send>(
     };
     let make = |loaded: &Frames, index: usize| {
         let number = frames[index];
-        let state = &loaded[&number];
+        let frame = &loaded[&number];
         let next = after(number).and_then(|next| loaded.get(&next));
-        let picture = shots.take(state, next.map(AsRef::as_ref))?;
-        let shown = Shown { number, metadata: shots.metadata(state) };
+        let picture = shots.take(frame, next.map(AsRef::as_ref))?;
+        let shown = Shown { number, metadata: shots.metadata(frame) };
         Ok((number, picture.skipped_triangles(), finish(&picture, &shown)?))
     };
     in_order(frames.len(), at_a_time, load, make, |(frame, skipped, kept)| take(frame, skipped, kept))

@@ -2,13 +2,11 @@
 
 use std::path::Path;
 
-use super::arrivals::Arrivals;
-use super::event::{Event, Watch};
+use super::passes::{Arrivals, Event, Survey, Watch, metadata, survey};
 use super::plan::Plan;
 use super::sheet::{Sheet, evenly};
 use super::sheets::{SHEET_WIDTH, contact_sheet, scaled};
 use super::shoot::{Shown, shoot};
-use super::survey::{Survey, metadata, survey};
 use crate::film::animation::{Animation, Palette, Reeling, begin};
 use crate::film::error::FilmError;
 use crate::render::{Output, Picture};

@@ -4,22 +4,23 @@ use std::{collections::BTreeMap, path::Path, sync::Arc};
 
 use rayon::prelude::*;
 
-use super::{arrivals::Arrivals, plan::Plan, quantities::Spreads, subject::Subject};
+use super::arrivals::Arrivals;
 use crate::{
     evolve::Frame,
     film::{
         disk::{DiskError, FilmFolder},
         error::FilmError,
+        pictures::{plan::Plan, quantities::Spreads, subject::Subject},
     },
     render::Extent,
 };
 
 /// Frames in memory, by number.
-pub(super) type Frames = BTreeMap<usize, Arc<Frame>>;
+pub(in crate::film::pictures) type Frames = BTreeMap<usize, Arc<Frame>>;
 
 /// The frames of a film.
 #[derive(Debug)]
-pub(super) struct Reel<'a> {
+pub(in crate::film::pictures) struct Reel<'a> {
     film: FilmFolder,
     frames: Frames,
     arrivals: &'a Arrivals,

@@ -5,16 +5,16 @@ use std::path::Path;
 use super::arrivals::Arrivals;
 use super::event::{Event, Watch};
 use super::memory::at_a_time;
-use super::plan::Plan;
-use super::quantities::Spreads;
 use super::reel::Reel;
-use super::subject::Subject;
 use crate::film::error::FilmError;
+use crate::film::pictures::plan::Plan;
+use crate::film::pictures::quantities::Spreads;
+use crate::film::pictures::subject::Subject;
 use crate::render::{Extent, Metadata};
 use crate::scene::Framed;
 
 /// A film that was passed over once.
-pub(super) struct Survey<'a> {
+pub(in crate::film::pictures) struct Survey<'a> {
     pub reel: Reel<'a>,
     pub subject: Subject,
     pub extent: Extent,
@@ -23,7 +23,7 @@ pub(super) struct Survey<'a> {
 
 /// Passes over all frames, or the first one if nothing depends on the others, and makes sure that the wanted ones are
 /// there if it comes by them.
-pub(super) fn survey<'a>(
+pub(in crate::film::pictures) fn survey<'a>(
     plan: &Plan,
     folder: &Path,
     frames: &[usize],
@@ -44,6 +44,6 @@ pub(super) fn survey<'a>(
 }
 
 /// What a file that shows the whole film says of itself.
-pub(super) fn metadata(plan: &Plan, survey: &Survey) -> Metadata {
+pub(in crate::film::pictures) fn metadata(plan: &Plan, survey: &Survey) -> Metadata {
     Metadata { scene: plan.scene.name.clone(), scene_hash: survey.subject.scene_hash(), ..Metadata::default() }
 }

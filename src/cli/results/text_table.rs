@@ -29,7 +29,7 @@ pub(super) fn short(x: f64) -> String {
 }
 
 /// A ratio as a percentage.
-pub(super) fn percent(x: f64) -> String {
+pub(in crate::cli) fn percent(x: f64) -> String {
     let percent = 100.0 * x;
     if percent == 0.0 || percent.abs() >= 1e-3 { format!("{} %", trimmed(percent)) } else { format!("{percent:.1e} %") }
 }

@@ -13,7 +13,7 @@ use crate::film::{DiskError, FilmFolder, MeshCounts};
 
 /// What `inspect --json` prints.
 #[derive(Debug, Serialize)]
-pub(super) struct Inspection {
+pub(in crate::cli) struct Inspection {
     mesh: MeshCounts,
     pub frames: Vec<FrameReport>,
     pub checks: Vec<Check>,

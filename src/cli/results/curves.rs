@@ -17,7 +17,7 @@ use crate::film::DiskError;
 use crate::whole_file;
 
 /// Writes `curves.csv` and `curves.svg` into the folder of a film.
-pub(super) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Result<(), DiskError> {
+pub(in crate::cli) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Result<(), DiskError> {
     let table = curves_csv(reports).map_err(io::Error::from);
     for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports))] {
         let path = folder.join(name);

@@ -1,0 +1,14 @@
+//! What a film is worth: tables, curves, checks, and the verdict at the end.
+
+mod checks;
+mod curves;
+mod inspect;
+mod text_table;
+mod verdict;
+
+pub use checks::{Check, checks_of, step_limit_line};
+pub(super) use curves::write_curves;
+pub use curves::{curves_csv, curves_svg};
+pub(super) use inspect::Inspection;
+pub(super) use text_table::percent;
+pub use verdict::verdict;
