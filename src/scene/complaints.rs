@@ -11,12 +11,6 @@ impl Scene {
         self.source.complain(key, reason.into(), remedy.into())
     }
 
-    /// As [`Scene::complain`], of a message that ends with what to do, after its last semicolon.
-    pub fn complain_of(&self, key: &str, message: &str) -> SceneError {
-        let (reason, remedy) = message.rsplit_once("; ").unwrap_or((message, "correct it"));
-        self.complain(key, reason, remedy)
-    }
-
     /// The error of a later stage that knows its remedy, at a dotted key.
     pub fn complain_about(&self, key: &str, error: &impl Advice) -> SceneError {
         self.complain(key, error.reason(), error.remedy())
