@@ -26,6 +26,7 @@ pub use error::{Fault, MeshError};
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
 pub use limits::{MOST_FACES, MOST_VERTICES};
 pub use numbering::{Numbering, UnknownVertex};
+pub(crate) use read::is_binary_stl;
 pub use read::{FileFormat, read, read_edge_lengths, read_positions, read_vertex_numbers, read_welded};
 pub use repair::{Repaired, repair};
 pub use selection::{EdgeSelection, Selection, SelectionError, select_edges, select_vertices};

@@ -1,6 +1,6 @@
 //! Files that are given where a scene belongs: what they are, by ending and by content, and what to do with them.
 
-use crate::mesh::FileFormat;
+use crate::mesh::{FileFormat, is_binary_stl};
 use crate::text::decode;
 use std::path::Path;
 
@@ -43,15 +43,11 @@ pub(super) fn foreign_ending(path: &Path) -> Option<Sentence> {
 /// What these bytes are, if that is no scene.
 pub(super) fn foreign_content(path: &Path, bytes: &[u8]) -> Option<Sentence> {
     let begins = |magic: &[u8]| bytes.starts_with(magic);
-    let is_binary_stl = || {
-        let count = bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
-        count.is_some_and(|count| count > 0 && 84 + 50 * u64::from(count) == bytes.len() as u64)
-    };
     if begins(b"\x89PNG") || begins(b"\xff\xd8\xff") || begins(b"GIF8") || begins(b"\x76\x2f\x31\x01") {
         Some(a_picture())
     } else if begins(b"glTF") || begins(b"Kaydara FBX") || begins(b"BLENDER") {
         Some(another_model())
-    } else if begins(b"ply\n") || begins(b"ply\r") || is_binary_stl() {
+    } else if begins(b"ply\n") || begins(b"ply\r") || is_binary_stl(bytes) {
         Some(a_mesh(path))
     } else if begins(b"PK\x03\x04") || begins(b"\x93NUMPY") {
         Some(arrays())

@@ -14,5 +14,6 @@ mod words;
 
 pub use file::{read, read_welded};
 pub use format::FileFormat;
+pub(crate) use formats::stl::is_binary as is_binary_stl;
 pub use positions::read_positions;
 pub use tables::{read_edge_lengths, read_vertex_numbers};

@@ -20,9 +20,9 @@ pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
         return ascii(bytes);
     }
     match claimed_triangles(bytes) {
-        Some(count) if count > 0 && bytes.len() as u64 > 84 + 50 * count => binary(bytes),
+        Some(count) if count > 0 && bytes.len() as u64 > size(count) => binary(bytes),
         Some(count) => Err(Problem::new(
-            format!("{count} triangles are claimed, which takes {} bytes, not {}", 84 + 50 * count, bytes.len()),
+            format!("{count} triangles are claimed, which takes {} bytes, not {}", size(count), bytes.len()),
             "restore the rest of the file",
         )),
         None => Err(Problem::new("this is neither an ascii nor a binary STL file", "export it again")),
@@ -30,8 +30,13 @@ pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
 }
 
 /// Whether these bytes are a binary STL file, by their length, which follows from the number of triangles that it claims.
-pub(in crate::mesh::read) fn is_binary(bytes: &[u8]) -> bool {
-    claimed_triangles(bytes).is_some_and(|count| count > 0 && bytes.len() as u64 == 84 + 50 * count)
+pub(crate) fn is_binary(bytes: &[u8]) -> bool {
+    claimed_triangles(bytes).is_some_and(|count| count > 0 && bytes.len() as u64 == size(count))
+}
+
+/// The bytes that a binary STL file of so many triangles takes.
+fn size(count: u64) -> u64 {
+    HEADER as u64 + RECORD as u64 * count
 }
 
 /// The number of triangles that a binary STL file says it has.
@@ -39,6 +44,11 @@ fn claimed_triangles(bytes: &[u8]) -> Option<u64> {
     let field = bytes.get(80..84)?;
     Some(u32::from_le_bytes(field.try_into().ok()?).into())
 }
+
+/// Bytes before the first triangle of a binary file: 80 of any kind, and the count of triangles.
+const HEADER: usize = 84;
+/// Bytes of a triangle in a binary file.
+const RECORD: usize = 50;
 
 /// As much of a file as shows whether it is a text.
 const START: usize = 1024;
@@ -80,9 +90,9 @@ impl Merged {
 fn binary(bytes: &[u8]) -> Result<Soup, Problem> {
     let mut merged = Merged::default();
     let count = claimed_triangles(bytes).unwrap_or_default() as usize;
-    let records = &bytes[84..];
+    let records = &bytes[HEADER..];
     let mut triangles = Vec::with_capacity(count);
-    for (n, record) in records.chunks_exact(50).take(count).enumerate() {
+    for (n, record) in records.chunks_exact(RECORD).take(count).enumerate() {
         let mut triangle = [0; 3];
         for (k, corner) in triangle.iter_mut().enumerate() {
             let coordinate = |axis: usize| {
@@ -101,7 +111,7 @@ fn binary(bytes: &[u8]) -> Result<Soup, Problem> {
         triangles.push(triangle);
     }
     let mut soup = merged.soup(triangles, Vec::new());
-    let trailing = records.len() - 50 * count;
+    let trailing = records.len() - RECORD * count;
     if trailing > 0 {
         let bytes = if trailing == 1 { "byte" } else { "bytes" };
         soup.notes.push(format!("ignored {trailing} {bytes} after the {count} triangles that the file claims to have"));
