@@ -83,57 +83,58 @@ fn vertices(element: &Element, body: &mut Body) -> Result<Vec<DVec3>, Problem> {
     Ok(positions)
 }
 
-const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
-
 fn faces(element: &Element, body: &mut Body, polygons: &mut Polygons) -> Result<(), Problem> {
-    let at = element.find(&CORNERS, true, "`list … vertex_indices`")?;
-    let (mut values, mut corners) = (Vec::new(), Vec::new());
-    for n in 0..element.count {
-        // A polygon is said to be where its line begins.
-        let line = body.next_line();
-        for (k, property) in element.properties.iter().enumerate() {
-            if k != at {
-                body.skip(property)?;
-                continue;
-            }
-            body.list(property, &mut values)?;
-            corners.clear();
-            for &v in &values {
-                corners.push(body.corner(v, || format!("face {n}"))?);
-            }
-            if corners.len() < 3 {
-                return Err(body.problem(format!("face {n} has {} corners", corners.len())));
-            }
+    let mut corners = Vec::new();
+    for_each_list(element, body, |body, n, line, values| {
+        corners.clear();
+        for &v in values {
+            corners.push(body.corner(v, || format!("face {n}"))?);
+        }
+        if corners.len() < 3 {
+            return Err(body.problem(format!("face {n} has {} corners", corners.len())));
         }
         polygons.add(&corners, line);
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// Strips of triangles: every number after the first two is one with the two numbers before it, every other one turned
 /// round. A negative number ends a strip; two equal numbers make no triangle and lead on to the next.
 fn strips(element: &Element, body: &mut Body, polygons: &mut Polygons) -> Result<(), Problem> {
-    let at = element.find(&CORNERS, true, "`list … vertex_indices`")?;
+    for_each_list(element, body, |body, n, line, values| {
+        for strip in values.split(|&v| v < 0.0) {
+            for (k, triple) in strip.windows(3).enumerate() {
+                let mut triangle = [0; 3];
+                for (corner, &v) in triangle.iter_mut().zip(triple) {
+                    *corner = body.corner(v, || format!("strip {n}"))?;
+                }
+                let [a, b, c] = triangle;
+                if a != b && b != c && c != a {
+                    polygons.add(&if k % 2 == 0 { [a, b, c] } else { [b, a, c] }, line);
+                }
+            }
+        }
+        Ok(())
+    })
+}
+
+/// Reads the list of corners of every item of an element, and passes over its other properties. What is done with a
+/// list is told the number of the item and the line on which the item begins.
+fn for_each_list(
+    element: &Element,
+    body: &mut Body,
+    mut with: impl FnMut(&Body, u64, Option<usize>, &[f64]) -> Result<(), Problem>,
+) -> Result<(), Problem> {
+    let at = element.find(&["vertex_indices", "vertex_index"], true, "`list … vertex_indices`")?;
     let mut values = Vec::new();
     for n in 0..element.count {
         let line = body.next_line();
         for (k, property) in element.properties.iter().enumerate() {
-            if k != at {
+            if k == at {
+                body.list(property, &mut values)?;
+                with(body, n, line, &values)?;
+            } else {
                 body.skip(property)?;
-                continue;
-            }
-            body.list(property, &mut values)?;
-            for strip in values.split(|&v| v < 0.0) {
-                for (k, triple) in strip.windows(3).enumerate() {
-                    let mut triangle = [0; 3];
-                    for (corner, &v) in triangle.iter_mut().zip(triple) {
-                        *corner = body.corner(v, || format!("strip {n}"))?;
-                    }
-                    let [a, b, c] = triangle;
-                    if a != b && b != c && c != a {
-                        polygons.add(&if k % 2 == 0 { [a, b, c] } else { [b, a, c] }, line);
-                    }
-                }
             }
         }
     }
