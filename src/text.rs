@@ -1,4 +1,5 @@
-//! From bytes to text, for everything that people write and save with other programs: scenes, tables and meshes.
+//! From bytes to text, for everything that people write and save with other programs: scenes, tables and meshes. And
+//! from numbers to text, as people read them.
 
 use std::borrow::Cow;
 
@@ -65,4 +66,14 @@ impl Encoding {
 
 fn with_unix_lines(text: Cow<'_, str>) -> Cow<'_, str> {
     if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n").into() } else { text }
+}
+
+/// Four significant digits, without zeros at the end.
+pub fn four_digits(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
+    let decimals = (3.0 - libm::log10(x.abs()).floor()).clamp(0.0, 12.0);
+    let text = format!("{x:.*}", decimals as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -4,6 +4,7 @@ use super::course::Course;
 use super::error::EvolveError;
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::shortest_paths;
+use crate::text::four_digits;
 use crate::timeline::Clock;
 use crate::tuning::{PINNED_LENGTH_TOLERANCE, PINNED_PATH_SOURCES};
 use glam::DVec3;
@@ -110,27 +111,20 @@ impl Contradiction {
             Length::Edge { edge, pinned, wanted, count, together } => format!(
                 "pinned edges are {} times the length that the metric asks for at time {time}: {count} of them together are \
                  {} times, and worst the edge between vertices {:?} with {} instead of {}; {remedy}",
-                short(self.ratio),
-                short(together),
+                four_digits(self.ratio),
+                four_digits(together),
                 mesh.file_ends(edge),
-                short(pinned),
-                short(wanted),
+                four_digits(pinned),
+                four_digits(wanted),
             ),
             Length::Path { ends, pinned, path } => format!(
                 "vertices {:?} are pinned {} apart at time {time}, {} times as far as the shortest path along edges, which has \
                  length {}; {remedy}",
                 ends.map(|v| mesh.file_vertex(v)),
-                short(pinned),
-                short(self.ratio),
-                short(path),
+                four_digits(pinned),
+                four_digits(self.ratio),
+                four_digits(path),
             ),
         }
     }
-}
-
-/// Four significant digits, without zeros at the end.
-fn short(x: f64) -> String {
-    let decimals = if x > 0.0 { (3.0 - libm::log10(x).floor()).clamp(0.0, 12.0) as usize } else { 0 };
-    let text = format!("{x:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }

@@ -1,5 +1,6 @@
 //! Aligned columns of text.
 
+use crate::text::four_digits;
 use std::io::{self, Write};
 
 /// Writes rows, the first of which is the heading, with columns as wide as they need to be. Columns are
@@ -25,21 +26,15 @@ pub(super) fn write_table(out: &mut impl Write, rows: &[Vec<String>], left: &[&s
 
 /// A quantity of unknown size in a few characters.
 pub(super) fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) { trimmed(x) } else { format!("{x:.2e}") }
+    if x == 0.0 || (1e-3..1e6).contains(&x.abs()) { four_digits(x) } else { format!("{x:.2e}") }
 }
 
 /// A ratio as a percentage.
 pub(in crate::cli) fn percent(x: f64) -> String {
     let percent = 100.0 * x;
-    if percent == 0.0 || percent.abs() >= 1e-3 { format!("{} %", trimmed(percent)) } else { format!("{percent:.1e} %") }
-}
-
-/// Four significant digits, without zeros at the end.
-fn trimmed(x: f64) -> String {
-    if x == 0.0 {
-        return "0".to_owned();
+    if percent == 0.0 || percent.abs() >= 1e-3 {
+        format!("{} %", four_digits(percent))
+    } else {
+        format!("{percent:.1e} %")
     }
-    let decimals = (3.0 - libm::log10(x.abs()).floor()).clamp(0.0, 12.0);
-    let text = format!("{x:.*}", decimals as usize);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
