@@ -2,13 +2,9 @@
 
 mod alignment;
 mod bending;
-mod conformal_factor;
-mod convexity;
 mod crossings;
-mod curvature;
 mod deform;
 mod edge_vectors;
-mod fields;
 mod measure;
 mod periods;
 mod pins;
@@ -19,15 +15,12 @@ mod starting_shape;
 
 pub use alignment::RigidMotion;
 pub use bending::{BendingPart, NoAngle, TargetBending};
-pub use conformal_factor::ConformalFactor;
-pub use convexity::{is_convex, largest_dent};
-pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::edge_vectors;
-pub use fields::{FieldError, FieldInput, FieldName, FieldValues, Fields};
 pub use measure::{
-    LengthError, bending_angles, enclosed_volume, is_figure_8, l2_length_error, length_error, length_errors, mean_turn,
-    pinch_points, rims,
+    ConformalFactor, FieldError, FieldInput, FieldName, FieldValues, Fields, LengthError, bending_angles,
+    enclosed_volume, gaussian_curvatures, is_convex, is_figure_8, l2_length_error, largest_dent, length_error,
+    length_errors, mean_curvatures, mean_turn, pinch_points, rims,
 };
 pub use periods::Periods;
 pub use pins::{PinError, PinGroup, Pins};
