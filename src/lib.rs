@@ -1,6 +1,7 @@
 #![doc = include_str!("../docs/guide.md")]
 
 pub mod advice;
+pub mod digest;
 pub mod text;
 pub mod tuning;
 mod whole_file;

@@ -13,7 +13,7 @@ use crate::spin::{Class, SpinError};
 /// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let SetUp { mut simulation, places, notes: of_mesh } = SetUp::of(scene)?;
-    simulation.check_all_times().map_err(|error| at_fault(scene, error))?;
+    simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
     contradictions(scene, &simulation)?.iter().for_each(say);
     let plan = Plan::of(scene)?;
     let [width, height] = plan.size();

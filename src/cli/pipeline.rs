@@ -9,7 +9,7 @@ use super::progress::Stages;
 use super::set_up::{SetUp, at_fault, contradictions};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
-use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Plan};
+use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Pictured, Plan};
 use crate::scene::Scene;
 
 /// What a command has done.
@@ -47,7 +47,7 @@ pub(super) fn run(
     match (simulated, pictured) {
         (Some(Err(error)), Ok(_) | Err((false, _))) => Err(error),
         (_, Err((_, error))) => Err(error.into()),
-        (simulated, Ok(made)) => Ok([simulated.transpose()?.unwrap_or_default(), Summary { made, kept: 0 }]),
+        (simulated, Ok(pictured)) => Ok([simulated.transpose()?.unwrap_or_default(), pictured.into()]),
     }
 }
 
@@ -72,38 +72,125 @@ fn simulate_for(
     arrivals: &Arrivals,
     progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
-    progress.begin("set up", None);
-    let set_up = SetUp::of(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
-    set_up.notes.iter().for_each(|note| progress.note(note));
-    // A time without a metric is told when its frame is made.
-    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
-    let (spec, mesh) = (FilmSpec::of(scene), set_up.film_mesh(scene));
-    let mut simulation = set_up.simulation;
-    let film = if restart {
-        FilmFolder::restart(folder, &spec, &mesh)?
-    } else {
-        FilmFolder::open_or_create(folder, &spec, &mesh)?
+    let unchanged = if restart { None } else { FilmFolder::open_unchanged(folder, scene)? };
+    let (film, mut ready) = match unchanged {
+        Some(film) => (film, None),
+        None => {
+            let (film, set_up) = begin(scene, folder, restart, progress)?;
+            (film, Some(set_up))
+        }
     };
-    let kept = film.last_valid_frame()?.unwrap_or(0);
-    if kept > 0 {
-        simulation.resume(Arc::new(film.read_frame(kept)?)).map_err(|error| {
-            let reason = format!("the film cannot go on after it: {}", error.reason());
-            DiskError::Damaged {
-                path: folder.to_owned(),
-                reason,
-                remedy: "pass --restart to `immerse simulate` to begin anew",
-            }
-        })?;
-    }
-    arrivals.reach(kept);
-    for number in kept + 1..=scene.clock.frames {
-        let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
-        let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
-        film.write_frame(&frame)?;
+    let valid = film.valid_frames()?;
+    // Whoever makes pictures then knows at once how far the film goes.
+    arrivals.reach(valid.iter().take_while(|&&valid| valid).count());
+    for (number, valid) in (1..).zip(&valid) {
+        if !valid {
+            let SetUp { mut simulation, places, notes } = match ready.take() {
+                Some(set_up) if set_up.simulation.last_frame() + 1 == number => set_up,
+                _ => set_up_after(scene, &film, number - 1, progress)?,
+            };
+            let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
+            let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
+            film.write_frame(&frame)?;
+            ready = Some(SetUp { simulation, places, notes });
+        }
         arrivals.reach(number);
     }
-    Ok(Summary { made: scene.clock.frames - kept, kept })
+    let kept = valid.iter().filter(|&&valid| valid).count();
+    Ok(Summary { made: valid.len() - kept, kept })
+}
+
+/// Sets a film up and opens its folder. Says which frames of the film as it was before are kept, and why the others are not.
+fn begin(
+    scene: &Scene,
+    folder: &Path,
+    restart: bool,
+    progress: &mut dyn Stages,
+) -> Result<(FilmFolder, SetUp), PipelineError> {
+    let mut set_up = set_up(scene, progress)?;
+    let keys = set_up.simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
+    if restart {
+        film::clear_film(folder)?;
+    }
+    let (spec, mesh) = (FilmSpec::of(scene, keys), set_up.film_mesh(scene));
+    let (film, changes) = FilmFolder::open_or_create(folder, &spec, &mesh)?;
+    if !changes.is_empty() {
+        let (kept, stale) = sorted_out(&film, &set_up)?;
+        let says = |frames: &[usize], what: &str| format!("{} {what}", frames_in_words(frames));
+        progress.note(&format!(
+            "{}: {} changed since; {}, {}",
+            folder.display(),
+            in_words(&changes),
+            says(&kept, "kept"),
+            says(&stale, "to be computed")
+        ));
+    }
+    Ok((film, set_up))
+}
+
+/// The frames that are kept, and those that are not. Where time is but a label, kept ones get the one they have now.
+fn sorted_out(film: &FilmFolder, set_up: &SetUp) -> Result<(Vec<usize>, Vec<usize>), PipelineError> {
+    let valid = film.valid_frames()?;
+    let (kept, stale): (Vec<usize>, Vec<usize>) = (1..=valid.len()).partition(|&frame| valid[frame - 1]);
+    for &frame in &kept {
+        let time = set_up.simulation.clock().time(frame);
+        if film.contents(frame)?.1.time != time {
+            let mut frame = film.read_frame(frame)?;
+            frame.report.time = time;
+            film.write_frame(&frame)?;
+        }
+    }
+    Ok((kept, stale))
+}
+
+/// A simulation, with all that is worth saying of it said.
+fn set_up(scene: &Scene, progress: &mut dyn Stages) -> Result<SetUp, PipelineError> {
+    progress.begin("set up", None);
+    let set_up = SetUp::of(scene)?;
+    set_up.notes.iter().for_each(|note| progress.note(note));
+    // A time without a metric is told when the keys of the frames are found.
+    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
+    Ok(set_up)
+}
+
+/// A simulation that goes on after a frame of a film; after frame 0 it begins.
+fn set_up_after(
+    scene: &Scene,
+    film: &FilmFolder,
+    frame: usize,
+    progress: &mut dyn Stages,
+) -> Result<SetUp, PipelineError> {
+    let mut set_up = set_up(scene, progress)?;
+    if frame > 0 {
+        set_up.simulation.resume(Arc::new(film.read_frame(frame)?)).map_err(|error| DiskError::Damaged {
+            path: film.folder().to_owned(),
+            reason: format!("the film cannot go on after frame {frame}: {}", error.reason()),
+            remedy: "pass --restart to begin anew",
+        })?;
+    }
+    Ok(set_up)
+}
+
+/// "frames 1-49, 52", or that there is none.
+fn frames_in_words(frames: &[usize]) -> String {
+    let runs = frames.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+        [first, .., last] => format!("{first}-{last}"),
+        one => one.iter().map(usize::to_string).collect(),
+    });
+    match frames {
+        [] => "no frames".to_owned(),
+        [one] => format!("frame {one}"),
+        _ => format!("frames {}", runs.collect::<Vec<_>>().join(", ")),
+    }
+}
+
+/// "[metric] and [clock]"
+fn in_words(changes: &[String]) -> String {
+    match changes {
+        [rest @ .., last] if !rest.is_empty() => format!("{} and {last}", rest.join(", ")),
+        _ => changes.concat(),
+    }
 }
 
 /// Passes the progress of a relaxation on.
@@ -130,6 +217,19 @@ impl Observer for Watcher<'_> {
     }
 }
 
+/// Makes sure that the folder holds the film of the scene, as far as it was computed: its frames are known by their keys. A
+/// folder with an earlier version of the film is brought up to date, so that frames which are no longer of it are told.
+fn is_of_scene(scene: &Scene, folder: &Path) -> Result<(), PipelineError> {
+    FilmFolder::open(folder)?;
+    if FilmFolder::open_unchanged(folder, scene)?.is_none() {
+        let mut set_up = SetUp::of(scene)?;
+        let keys = set_up.simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
+        let (film, _) = FilmFolder::open_or_create(folder, &FilmSpec::of(scene, keys), &set_up.film_mesh(scene))?;
+        sorted_out(&film, &set_up)?;
+    }
+    Ok(())
+}
+
 /// Makes the pictures that the scene asks for of computed frames, given by number in order.
 pub(super) fn render_frames(
     scene: &Scene,
@@ -137,8 +237,8 @@ pub(super) fn render_frames(
     frames: &[usize],
     progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
-    let made = film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
-    Ok(Summary { made, kept: 0 })
+    is_of_scene(scene, folder)?;
+    Ok(film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?.into())
 }
 
 /// Simulates a scene where it was not, and makes one picture that shows its film as a whole.
@@ -160,6 +260,12 @@ pub(super) fn look_sheet(
     progress: &mut dyn Stages,
 ) -> Result<(), PipelineError> {
     Ok(film::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
+}
+
+impl From<Pictured> for Summary {
+    fn from(Pictured { made, kept }: Pictured) -> Summary {
+        Summary { made, kept }
+    }
 }
 
 fn pass_on(event: film::Event, progress: &mut dyn Stages) {

@@ -77,10 +77,14 @@ impl Course {
         Ok(metric_of(component, &whole, time)?)
     }
 
-    /// The target bending angles of a component in radians, one per edge; `None` for a shell that is flat at rest.
+    /// The target bending angles in radians, |E|; `None` for a shell that is flat at rest.
+    pub fn angles(&self, time: f64) -> Result<Option<Vec<f64>>, NoAngle> {
+        self.bending.as_ref().map(|bending| bending.at(time)).transpose()
+    }
+
+    /// Those of a component.
     pub fn angles_of(&self, component: &Component, time: f64) -> Result<Option<Vec<f64>>, NoAngle> {
-        let angles = self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
-        Ok(angles.map(|angles| component.edges.pick(&angles)))
+        Ok(self.angles(time)?.map(|angles| component.edges.pick(&angles)))
     }
 
     /// Per edge of a component: whether a bending angle is asked for.
@@ -92,16 +96,6 @@ impl Course {
     pub fn pins_of(&self, component: &Component, time: f64) -> Result<Vec<(VertexId, DVec3)>, PinError> {
         let here = |(v, place): (VertexId, DVec3)| Some((VertexId::new(component.vertices.here(v.index())?), place));
         Ok(self.pins.at(time)?.into_iter().filter_map(here).collect())
-    }
-
-    /// Whether there is an answer at a time, found without simulating.
-    pub fn check(&mut self, time: f64) -> Result<(), EvolveError> {
-        if self.program.changes() {
-            self.metric(time)?;
-        }
-        self.pins.at(time)?;
-        self.bending.as_ref().map(|bending| bending.at(time)).transpose()?;
-        Ok(())
     }
 }
 

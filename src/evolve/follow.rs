@@ -6,8 +6,10 @@ use super::pace::Settling;
 use super::progress::Observer;
 use super::relax::Relaxation;
 use super::state::State;
+use crate::mesh::VertexId;
 use crate::metric::{Metric, largest_strain};
 use crate::timeline::Clock;
+use glam::DVec3;
 
 impl Relaxation {
     /// Follows metric, bending and pins to a time, in parts none of which strains the component much.
@@ -47,10 +49,15 @@ impl Relaxation {
 
 /// How many parts the way to the metric of a time is to be cut into.
 fn parts_to(state: &State, course: &Course, time: f64, there: &Metric, max_strain: f64) -> Result<usize, EvolveError> {
-    let lengths = state.metric().edge_lengths();
-    let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
-    let pins = course.pins_of(state.component(), time)?;
-    let longest = pins.iter().zip(state.pins()).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);
-    let parts = (largest_strain(lengths, there.edge_lengths()) / max_strain).max(longest / mean_length);
-    Ok((parts.ceil() as usize).max(1))
+    let lengths = [state.metric().edge_lengths(), there.edge_lengths()];
+    Ok(parts_between(lengths, [state.pins(), &course.pins_of(state.component(), time)?], max_strain))
+}
+
+/// As many parts as keep strains below the largest one, and pins from moving by more than the mean length of an edge.
+pub(super) fn parts_between(lengths: [&[f64]; 2], pins: [&[(VertexId, DVec3)]; 2], max_strain: f64) -> usize {
+    let [here, there] = lengths;
+    let mean_length = here.iter().sum::<f64>() / here.len() as f64;
+    let longest = pins[1].iter().zip(pins[0]).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);
+    let parts = (largest_strain(here, there) / max_strain).max(longest / mean_length);
+    (parts.ceil() as usize).max(1)
 }

@@ -59,6 +59,11 @@ impl Settling {
         }
     }
 
+    /// The mean turn per step in radians below which a frame has settled.
+    pub fn tolerance_radians(&self) -> f64 {
+        self.tolerance_radians
+    }
+
     /// The largest number of steps of a frame.
     pub fn max_steps(&self) -> usize {
         self.max_steps

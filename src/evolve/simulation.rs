@@ -4,6 +4,7 @@ use super::contradictions::contradictions;
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
+use super::keys::origin_of;
 use super::pace::Pace;
 use super::placement::{middle, next_in_row};
 use super::program::Program;
@@ -11,6 +12,7 @@ use super::progress::Observer;
 use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
 use crate::algebra::Complex;
+use crate::digest::Key;
 use crate::immersion::spin_of_immersion;
 use crate::mesh::{Component, Mesh, Surface, VertexId};
 use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
@@ -42,6 +44,8 @@ pub struct Simulation {
     course: Course,
     clock: Clock,
     pace: Pace,
+    /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
+    origin: Key,
     /// The components, each relaxed on its own.
     components: Vec<Relaxation>,
     /// The last frame that was made; 0 before the first.
@@ -60,6 +64,7 @@ impl Simulation {
     /// [`SetupError`] saying which part of the program does not fit the surface.
     pub fn new(surface: Surface, program: Program) -> Result<Simulation, SetupError> {
         surface.check().map_err(SetupError::Surface)?;
+        let origin = origin_of(&surface, &program);
         let Surface { mesh, positions: mesh_positions, .. } = surface;
         let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
         if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
@@ -96,6 +101,7 @@ impl Simulation {
             course,
             clock,
             pace,
+            origin,
             components,
             frame: 0,
             metric,
@@ -198,15 +204,6 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether the program gives a metric, bending angles and places for pins at the times of all frames, found without
-    /// simulating.
-    ///
-    /// # Errors
-    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which it does not.
-    pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
-        self.clock.times().try_for_each(|time| self.course.check(time))
-    }
-
     /// Sentences about pins that no surface with the lengths of the metric can keep, at the time of any frame. Surfaces are
     /// found all the same, but do not have all lengths.
     ///
@@ -257,6 +254,27 @@ impl Simulation {
     /// The times of the frames.
     pub fn clock(&self) -> &Clock {
         &self.clock
+    }
+
+    /// What happens between two frames.
+    pub(super) fn pace(&self) -> Pace {
+        self.pace
+    }
+
+    /// Stands for what all frames depend on.
+    pub(super) fn origin(&self) -> Key {
+        self.origin
+    }
+
+    /// What is asked for over time, and of whom.
+    pub(super) fn course_and_components(&mut self) -> (&mut Course, Vec<&Component>) {
+        let components = self.components.iter().map(|relaxation| relaxation.state().component()).collect();
+        (&mut self.course, components)
+    }
+
+    /// The number of the last frame that was made or gone on after; 0 before the first.
+    pub fn last_frame(&self) -> usize {
+        self.frame
     }
 
     /// The state: unit quaternions, |F|.

@@ -74,6 +74,11 @@ impl FilmError {
         }
     }
 
+    /// A file that could not be read.
+    pub(super) fn read(path: &std::path::Path, source: std::io::Error) -> FilmError {
+        FilmError::Disk(DiskError::Io { path: path.to_owned(), action: "read", source })
+    }
+
     /// A file that could not be written.
     pub(super) fn write(path: &std::path::Path, reason: impl std::fmt::Display) -> FilmError {
         FilmError::Render(RenderError::Write { path: path.to_owned(), reason: reason.to_string() })

@@ -8,18 +8,20 @@ use std::{
 
 use super::disk::FilmFolder;
 use super::error::FilmError;
+use super::ledger::{LEDGER, Ledger};
+use crate::digest::{Digest, Key};
 use crate::scene::{AnimationFormat, OutputSection};
 
 /// What was found beside the pictures of a film, by name in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Leftovers {
-    /// Pictures of another film, such as a longer one, which were removed.
+    /// Pictures of another film, such as a longer one, or of frames as they were before, which were removed.
     pub removed: Vec<String>,
-    /// Pictures of formats that are not asked for now. They may be of this film as it was.
+    /// Pictures of formats that are not asked for now. They show frames of this film, perhaps from elsewhere.
     pub older: Vec<String>,
 }
 
-/// Removes pictures and curves from the folder of a film that are of another one, and finds those in formats that
+/// Removes pictures and curves from the folder of a film that show no frame of it, and finds those in formats that
 /// `output` does not ask for. Only files with the names that this program gives are looked at, and only those are removed
 /// that say of themselves that this program made them.
 ///
@@ -27,35 +29,80 @@ pub struct Leftovers {
 /// [`FilmError::Disk`] if there is no film, [`FilmError::Render`] if a file cannot be removed.
 pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, FilmError> {
     let film = FilmFolder::open(folder)?;
-    let (hash, frames) = (film.manifest().fingerprint, film.manifest().frame_count);
+    let frames = film.manifest().frame_count;
+    let ledger = Ledger::open(folder)?;
+    let of_all = key_of_all_frames(&film);
     let mut leftovers = Leftovers::default();
-    let failed = |error: io::Error| FilmError::write(folder, error);
-    let mut names: Vec<String> = Vec::new();
-    for entry in fs::read_dir(folder).map_err(failed)? {
-        let entry = entry.map_err(failed)?;
-        if entry.file_type().is_ok_and(|kind| kind.is_file()) {
-            names.extend(entry.file_name().into_string());
-        }
-    }
-    names.sort();
     leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
-    for name in names {
+    for (name, made) in made_files(folder)? {
         let path = folder.join(&name);
-        let Some(picture) = Made::of(&name) else { continue };
-        let is_stale = match picture {
+        let shows = ledger.entry(&name).map(|entry| entry.shows);
+        let is_stale = match made {
             Made::Curves => has_curves,
-            Made::Frame(number, _) if !(1..=frames).contains(&number) => made_for(&path).is_some(),
-            _ => made_for(&path).flatten().is_some_and(|made_for| made_for != hash),
+            // A frame that is not done shows nothing.
+            Made::Frame(number, _) => {
+                shows.is_none_or(|shows| film.contents(number).ok().is_none_or(|now| now.0 != shows))
+            }
+            Made::Film(_) | Made::Sheet => shows != Some(of_all),
         };
-        if is_stale {
-            fs::remove_file(&path).map_err(|error| FilmError::write(&path, error))?;
+        if is_stale && (made == Made::Curves || is_ours(&path)) {
+            remove(&path)?;
             leftovers.removed.push(name);
-        } else if output.is_some_and(|output| !picture.is_asked_for(output)) && made_for(&path).is_some() {
+        } else if output.is_some_and(|output| !made.is_asked_for(output)) && is_ours(&path) {
             leftovers.older.push(name);
         }
     }
+    ledger.close()?;
     Ok(leftovers)
+}
+
+/// Removes the frames of whatever film a folder holds, and forgets what its pictures were made of, to begin anew. Pictures
+/// are then made again, or go with [`clear_leftovers`]. Files that are not of a film stay.
+///
+/// # Errors
+/// [`FilmError::Disk`] if the folder is a file or a frame cannot be removed, [`FilmError::Render`]
+pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
+    FilmFolder::clear(folder)?;
+    forget_pictures(folder)
+}
+
+/// Forgets what the pictures of a film were made of, so that all are made anew.
+///
+/// # Errors
+/// [`FilmError::Render`] if the list cannot be removed.
+pub fn forget_pictures(folder: &Path) -> Result<(), FilmError> {
+    remove(&folder.join(LEDGER))
+}
+
+/// Stands for the frames of a film as they are now.
+pub(super) fn key_of_all_frames(film: &FilmFolder) -> Key {
+    let states = (1..=film.manifest().frame_count).map(|frame| film.contents(frame).ok().map(|(state, _)| state));
+    states.fold(Digest::of("film"), |digest, state| digest.shown(&state)).finish()
+}
+
+/// The files in a folder that have the names of pictures and curves, in order.
+fn made_files(folder: &Path) -> Result<Vec<(String, Made)>, FilmError> {
+    let failed = |error: io::Error| FilmError::read(folder, error);
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).map_err(failed)? {
+        let entry = entry.map_err(failed)?;
+        if entry.file_type().is_ok_and(|kind| kind.is_file())
+            && let Ok(name) = entry.file_name().into_string()
+            && let Some(made) = Made::of(&name)
+        {
+            files.push((name, made));
+        }
+    }
+    files.sort_by(|(a, _), (b, _)| a.cmp(b));
+    Ok(files)
+}
+
+fn remove(path: &Path) -> Result<(), FilmError> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(FilmError::write(path, error)),
+        _ => Ok(()),
+    }
 }
 
 /// Files that are made of a film.
@@ -98,23 +145,19 @@ impl Made {
 const HEAD: u64 = 16 << 10;
 const TAIL: i64 = 256;
 
-/// The fingerprint of the film that a file is of, if it says so; `None` if this program did not make it.
-fn made_for(path: &Path) -> Option<Option<u32>> {
-    let mut head = Vec::new();
-    let mut file = File::open(path).ok()?;
-    file.by_ref().take(HEAD).read_to_end(&mut head).ok()?;
-    if file.seek(SeekFrom::End(-TAIL)).is_ok() {
-        file.read_to_end(&mut head).ok()?;
-    }
-    let after = |word: &[u8]| head.windows(word.len()).position(|window| window == word).map(|at| at + word.len());
-    after(b"immerse ")?;
-    let hash = [&b"Scene hash"[..], b"sceneHash"].into_iter().find_map(after).and_then(|start| {
-        // What stands between a key and its text depends on the format, and has no eight digits in a row.
-        let near = head.get(start..)?;
-        let digits = near[..near.len().min(48)].windows(8).find(|digits| digits.iter().all(u8::is_ascii_hexdigit))?;
-        u32::from_str_radix(str::from_utf8(digits).ok()?, 16).ok()
-    });
-    Some(hash)
+/// Whether a file says of itself that this program made it.
+fn is_ours(path: &Path) -> bool {
+    let read = || {
+        let mut head = Vec::new();
+        let mut file = File::open(path)?;
+        file.by_ref().take(HEAD).read_to_end(&mut head)?;
+        if file.seek(SeekFrom::End(-TAIL)).is_ok() {
+            file.read_to_end(&mut head)?;
+        }
+        Ok::<_, io::Error>(head)
+    };
+    const MARK: &[u8] = b"immerse ";
+    read().is_ok_and(|head| head.windows(MARK.len()).any(|window| window == MARK))
 }
 
 /// Curves say nothing of who made them but what their columns are.

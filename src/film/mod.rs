@@ -1,17 +1,20 @@
 //! A film on disk, and the pictures that are made of it.
 //!
 //! `disk` keeps the surface, the frames and their reports in a folder. `pictures` makes stills, sheets and posters of them, and
-//! `animation` puts pictures together to moving ones. `leftovers` looks for what other films have left in the folder.
+//! `animation` puts pictures together to moving ones. `ledger` remembers what each picture was made of, so that it is made
+//! again only when that changes. `leftovers` looks for what other films have left in the folder.
 
 mod animation;
 mod disk;
 mod error;
+mod ledger;
 mod leftovers;
 mod pictures;
 
 pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, Manifest, MeshCounts};
 pub use error::FilmError;
-pub use leftovers::{Leftovers, clear_leftovers};
+pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{
-    Arrivals, Event, Plan, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals, make_poster,
+    Arrivals, Event, Pictured, Plan, RENDERER, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
+    make_poster,
 };

@@ -13,9 +13,9 @@
 pub mod build;
 mod complaints;
 mod data;
+mod digests;
 mod error;
 mod file;
-mod fingerprint;
 mod foreign;
 mod keys;
 mod schema;

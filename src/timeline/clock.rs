@@ -46,8 +46,13 @@ impl Clock {
         if intervals == 0 || frame <= 1 {
             return self.start;
         }
-        let part = (frame - 1) as f64 / intervals as f64;
-        if part == 1.0 { self.end } else { self.start + (self.end - self.start) * part }
+        let passed = frame - 1;
+        // Multiplied first, so that a film which goes on longer at the same pace has the same times as before.
+        if passed == intervals {
+            self.end
+        } else {
+            self.start + (self.end - self.start) * passed as f64 / intervals as f64
+        }
     }
 
     /// The time of the first frame.

@@ -7,6 +7,7 @@ use std::process::{Command, Output, Stdio};
 use glam::{DQuat, DVec3};
 use immerse::algebra::Complex;
 use immerse::cli::checks_of;
+use immerse::digest::Key;
 use immerse::evolve::Frame;
 use immerse::evolve::FrameReport;
 use immerse::film::{FilmFolder, FilmMesh, FilmSpec};
@@ -29,8 +30,13 @@ fn run(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
 /// The film of a tetrahedron with two frames.
 fn film(folder: &Path, checks: ChecksSection) -> FilmFolder {
     let mesh = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]).unwrap();
-    let film = FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: 2, checks };
-    let cache = FilmFolder::open_or_create(folder, &film, &FilmMesh::of(mesh.clone().into())).unwrap();
+    let film = FilmSpec {
+        scene: "test".into(),
+        sections: Default::default(),
+        keys: [1, 2].map(|k| Key::of_bytes(&[k])).to_vec(),
+        checks,
+    };
+    let cache = FilmFolder::open_or_create(folder, &film, &FilmMesh::of(mesh.clone().into())).unwrap().0;
     for frame in [1, 2] {
         let report = FrameReport {
             frame,

@@ -13,6 +13,7 @@ mod bad_input;
 mod classes;
 mod command_line;
 mod curves;
+mod edited;
 mod frame_range;
 mod frame_rates;
 mod interrupted;

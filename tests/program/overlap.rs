@@ -75,7 +75,7 @@ fn a_camera_for_the_first_frame_does_not_wait_for_the_last_one() {
             assert_eq!(pictures.is_finished(), is_made, "{text}");
             arrivals.end();
             match pictures.join().expect("no panic") {
-                Ok(made) => assert!(is_made && made == 2),
+                Ok(pictured) => assert!(is_made && pictured.made == 2),
                 Err(FilmError::NoSuchFrame { .. }) => assert!(!is_made, "more frames were to come"),
                 Err(error) => panic!("{error}"),
             }

@@ -58,7 +58,6 @@ impl Inspection {
             "class",
             "energy",
             "steps",
-            "seconds",
             "converged",
         ];
         let mut rows = vec![heading.map(str::to_owned).to_vec()];
@@ -169,7 +168,6 @@ fn row(report: &FrameReport) -> Vec<String> {
         if report.spin_class.is_empty() { "-".to_owned() } else { report.spin_class.clone() },
         short(report.energy),
         report.cursor.steps.to_string(),
-        format!("{:.1}", report.seconds),
         if report.converged { "yes" } else { "NO" }.to_owned(),
     ]
 }

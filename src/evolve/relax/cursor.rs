@@ -14,18 +14,14 @@ pub struct Cursor {
     /// How often frames were drawn anew because rims would not resolve.
     pub restarts: usize,
     /// Δt of the next step in mean face areas, where the phase lets it change; 0 at the start of a phase.
-    #[serde(default)]
     pub dt: f64,
     /// Mean turn of the frames in the last step in radians; 0 at the start of a phase.
-    #[serde(default)]
     pub turn: f64,
     /// Whether the last phase that ended did so because frames stood still.
     pub settled: bool,
     /// How often the bending stiffness of a film came down from what it started with.
-    #[serde(default)]
     pub level: usize,
     /// Whether the mirror image was taken of what random frames had led to.
-    #[serde(default)]
     pub mirrored: bool,
 }
 

@@ -1,6 +1,6 @@
 //! What is known of a frame besides its positions.
 
-use crate::evolve::relax::{Cursor, Phase};
+use crate::evolve::relax::Cursor;
 use crate::frames::Stiffness;
 use serde::{Deserialize, Serialize};
 
@@ -80,56 +80,41 @@ pub struct FrameReport {
     /// surface that is pinched is no immersion and in no class.
     pub spin_class: String,
     /// The class that the frame was to have.
-    #[serde(default)]
     pub asked_class: String,
     /// Energy of the frames (Eq. 20) with the weights `stiffness`.
     pub energy: f64,
     /// The weights ε of the last phase.
-    #[serde(default = "usual_stiffness")]
     pub stiffness: Stiffness,
     /// Period part of the edge vectors relative to their norm.
     pub period_error: f64,
     /// With Ricci flow: the largest distance of a curvature from its target, in radians.
-    #[serde(default)]
     pub curvature_error: Option<f64>,
     /// Where the mesh has positions and the first frame their metric: mean distance of the surface from them after
     /// rigid alignment, over their diameter.
-    #[serde(default)]
     pub mean_distance: Option<f64>,
     /// With pins: the largest distance of a pinned vertex from its place.
-    #[serde(default)]
     pub pin_distance: Option<f64>,
     /// Largest change of an edge's length since the frame before, as a share of it.
-    #[serde(default)]
     pub strain: f64,
     /// Median distance that vertices moved since the frame before, rigid motion taken away.
-    #[serde(default)]
     pub median_move: f64,
     /// Largest such distance.
-    #[serde(default)]
     pub max_move: f64,
     /// Number of rims that were not there in the frame before.
-    #[serde(default)]
     pub rims_born: usize,
     /// Number of rims of the frame before that are no longer there.
-    #[serde(default)]
     pub rims_died: usize,
     /// Number of rims that moved to an edge which shares a vertex with the old one.
-    #[serde(default)]
     pub rims_moved: usize,
     /// The volume that the surface encloses, positive where its front is outside; parts that are covered several times
     /// count as often. `None` for a surface with boundary.
-    #[serde(default)]
     pub enclosed_volume: Option<f64>,
     /// How far the deepest inward dent of a surface of convex metric lies inside its convex hull. `None` where the metric
     /// is not convex, or one of the components has another.
-    #[serde(default)]
     pub largest_dent: Option<f64>,
     /// With target bending angles: how far the surface is from them.
-    #[serde(default)]
     pub bending_error: Option<BendingError>,
     /// Where what may be wrong with the frame is to be looked for.
-    #[serde(default)]
     pub places: Places,
     /// The components one by one, where there are several.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -137,19 +122,14 @@ pub struct FrameReport {
     /// How far the relaxation has come.
     #[serde(flatten)]
     pub cursor: Cursor,
-    /// Wall time of these steps.
+    /// Wall time of the frame. It is not kept on disk, where the same film has the same bytes.
+    #[serde(skip)]
     pub seconds: f64,
     /// Whether all phases are done and the last one met its tolerance, in every component.
     pub converged: bool,
     /// Whether this is a frame after so many steps, of a film of the relaxation that is not over or of one that changes
     /// with time: it was not to converge.
-    #[serde(default)]
     pub on_the_way: bool,
-}
-
-/// Of films that do not say it.
-fn usual_stiffness() -> Stiffness {
-    Phase::default().stiffness
 }
 
 /// In place of the class of a surface that has none.

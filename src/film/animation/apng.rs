@@ -35,7 +35,6 @@ impl Apng {
             encoder.set_animated(reeling.frames as u32, 0)?;
             encoder.set_frame_delay(numerator, denominator)?;
             encoder.add_itxt_chunk("Software".into(), Metadata::SOFTWARE.into())?;
-            encoder.add_itxt_chunk("Scene hash".into(), reeling.hash())?;
             encoder.write_header()
         };
         let writer = begin().map_err(|error| draft.error(error))?;

@@ -12,6 +12,15 @@ use super::reeling::{Animation, Reeling};
 use crate::film::error::FilmError;
 use crate::scene::AnimationFormat;
 
+/// The file of a moving picture.
+pub(in crate::film) fn file_name(format: AnimationFormat) -> &'static str {
+    match format {
+        AnimationFormat::Gif => "film.gif",
+        AnimationFormat::Apng => "film.apng",
+        AnimationFormat::Mp4 => "film.mp4",
+    }
+}
+
 /// Begins `film.gif`, `film.apng` or `film.mp4` in a folder.
 pub(in crate::film) fn begin(
     format: AnimationFormat,
@@ -19,11 +28,12 @@ pub(in crate::film) fn begin(
     reeling: Reeling,
     palette: &Palette,
 ) -> Result<Box<dyn Animation>, FilmError> {
+    let draft = Draft::begin(folder.join(file_name(format)))?;
     Ok(match format {
-        AnimationFormat::Gif => Box::new(Gif::begin(Draft::begin(folder.join("film.gif"))?, reeling, palette.clone())?),
-        AnimationFormat::Apng => Box::new(Apng::begin(Draft::begin(folder.join("film.apng"))?, reeling)?),
+        AnimationFormat::Gif => Box::new(Gif::begin(draft, reeling, palette.clone())?),
+        AnimationFormat::Apng => Box::new(Apng::begin(draft, reeling)?),
         #[cfg(feature = "mp4")]
-        AnimationFormat::Mp4 => Box::new(Mp4::begin(Draft::begin(folder.join("film.mp4"))?, reeling)?),
+        AnimationFormat::Mp4 => Box::new(Mp4::begin(draft, reeling)?),
         #[cfg(not(feature = "mp4"))]
         AnimationFormat::Mp4 => return Err(FilmError::WithoutMp4),
     })

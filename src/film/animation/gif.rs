@@ -24,7 +24,7 @@ impl Gif {
         let begin = |file| {
             let mut encoder = Encoder::new(file, reeling.width as u16, reeling.height as u16, palette.colors())?;
             encoder.set_repeat(Repeat::Infinite)?;
-            let comment = format!("{}, Scene hash {}", Metadata::SOFTWARE, reeling.hash());
+            let comment = Metadata::SOFTWARE;
             encoder.write_raw_extension(AnyExtension(Extension::Comment as u8), &[comment.as_bytes()])?;
             Ok::<_, gif::EncodingError>(encoder)
         };

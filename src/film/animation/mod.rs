@@ -9,7 +9,7 @@ mod mp4;
 mod palette;
 mod reeling;
 
-pub(super) use begin::begin;
+pub(super) use begin::{begin, file_name};
 pub(super) use gif::note as gif_note;
 pub(super) use palette::Palette;
 pub(super) use reeling::{Animation, Reeling};

@@ -85,7 +85,7 @@ impl Animation for Mp4 {
         muxer.finish_in_place().map_err(|error| draft.error(error))?;
         let mut writer = muxer.into_writer();
         // Who made it, in a box that players skip.
-        let comment = format!("{}, Scene hash {}", Metadata::SOFTWARE, reeling.hash());
+        let comment = Metadata::SOFTWARE;
         let length = (8 + comment.len() as u32).to_be_bytes();
         let free_box = [&length[..], b"free", comment.as_bytes()].concat();
         writer.write_all(&free_box).and_then(|()| writer.flush()).map_err(|error| draft.error(error))?;

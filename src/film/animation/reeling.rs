@@ -1,7 +1,6 @@
 //! What all moving pictures have in common: they are written frame by frame.
 
 use crate::film::error::FilmError;
-use crate::render::Metadata;
 
 /// A moving picture in the making. Frames are pushed in order as sRGB bytes, three per pixel, row by row.
 pub(in crate::film) trait Animation: Send {
@@ -19,13 +18,4 @@ pub(in crate::film) struct Reeling {
     pub frames: usize,
     /// Frames a second.
     pub rate: f64,
-    /// Fingerprint of what was simulated.
-    pub scene_hash: u32,
-}
-
-impl Reeling {
-    /// The fingerprint as it is written.
-    pub fn hash(&self) -> String {
-        Metadata { scene_hash: self.scene_hash, ..Metadata::default() }.hash()
-    }
 }

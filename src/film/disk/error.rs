@@ -33,7 +33,7 @@ pub enum DiskError {
         /// The folder.
         path: PathBuf,
     },
-    /// The folder is another scene's, or this one's before it was changed.
+    /// The folder is another scene's.
     #[error("{}: this folder holds the film of {found}, and nothing was overwritten; {}", path.display(), self.remedy())]
     OtherScene {
         /// The folder.
@@ -52,6 +52,12 @@ pub enum DiskError {
     /// It is not there.
     #[error("{}: there is no such frame; {}", path.display(), self.remedy())]
     Missing {
+        /// The file.
+        path: PathBuf,
+    },
+    /// It is of the film as it was before the scene or the program changed.
+    #[error("{}: this frame is of the film as it was before the scene changed; {}", path.display(), self.remedy())]
+    Stale {
         /// The file.
         path: PathBuf,
     },
@@ -75,10 +81,8 @@ pub enum DiskError {
     },
 }
 
-/// How a damaged frame is mended.
-pub(super) const SIMULATE_AGAIN: &str = "run `immerse simulate` again, which computes it anew";
-/// How a damaged manifest or mesh is mended.
-pub(super) const RESTART: &str = "pass --restart to `immerse simulate` to begin anew";
+/// How a damaged file is mended: everything can be made again from the scene, and what is whole is kept.
+pub(super) const SIMULATE_AGAIN: &str = "run `immerse simulate` again, which makes it anew and keeps the rest";
 
 impl Advice for DiskError {
     fn remedy(&self) -> String {
@@ -87,12 +91,11 @@ impl Advice for DiskError {
             DiskError::NotAFolder { folder, .. } => format!("name that, {folder}"),
             DiskError::NotAFilm { .. } => "simulate one first, or name the folder that holds manifest.json".into(),
             DiskError::OtherScene { .. } => {
-                "name another folder with --out, or pass --restart to `immerse simulate` to begin anew".into()
+                "name another folder with --out, or pass --restart to begin anew there".into()
             }
-            DiskError::Version { .. } => {
-                "use the program that wrote it, or pass --restart to `immerse simulate` to begin anew".into()
-            }
+            DiskError::Version { .. } => "use the program that wrote it, or pass --restart to begin anew".into(),
             DiskError::Missing { .. } => "simulate it first".into(),
+            DiskError::Stale { .. } => "run `immerse simulate` again, which computes it anew".into(),
             DiskError::Damaged { remedy, .. } => (*remedy).to_owned(),
             DiskError::Unfit { reason, .. } => reason.remedy(),
         }
@@ -100,6 +103,11 @@ impl Advice for DiskError {
 }
 
 impl DiskError {
+    /// A file that is not what was written, and can be made again.
+    pub(super) fn damaged(path: &Path, reason: impl Into<String>) -> DiskError {
+        DiskError::Damaged { path: path.to_owned(), reason: reason.into(), remedy: SIMULATE_AGAIN }
+    }
+
     /// A scene's film is in renders/<name>, unless somebody said else, and files of a film are in its folder.
     pub(super) fn not_a_folder(path: &Path) -> DiskError {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,25 +1,29 @@
-//! The folder of a film: what it holds, which frames are done, resuming and beginning anew.
+//! The folder of a film: what it holds, which frames are done, and going on with it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::error::{DiskError, RESTART, SIMULATE_AGAIN};
+use super::error::{DiskError, SIMULATE_AGAIN};
 use super::frame_file::{from_npz, to_npz};
+use super::frame_names::{frame_files, frame_number};
 use super::manifest::{FORMAT, FilmSpec, Manifest, MeshCounts};
 use super::mesh_file::{FilmMesh, file_faces_of, triangles_of};
 use super::seal::{SealError, read, remove, seal, unseal, write_whole};
+use crate::digest::Key;
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
+use crate::scene::Scene;
 
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
 #[derive(Serialize, Deserialize)]
 struct FrameRecord {
     format: u32,
-    fingerprint: u32,
+    key: Key,
     state_bytes: u64,
-    state_crc32: u32,
+    state_sha256: Key,
     report: FrameReport,
 }
 
@@ -31,68 +35,80 @@ pub struct FilmFolder {
 }
 
 impl FilmFolder {
-    /// Opens the folder of a film to go on with it, or creates it with its mesh. A film that is
-    /// gone on with keeps the mesh it began with.
+    /// Opens the folder of a scene's film if it was begun with the same scene, by the same program, and its mesh is whole.
+    /// Then nobody needs the keys of its frames again.
     ///
     /// # Errors
-    /// [`DiskError::OtherScene`] if the folder holds another film, or this film on another mesh; then
-    /// nothing is changed. [`DiskError::Version`] and [`DiskError::Damaged`] if its manifest is not to
-    /// be read.
-    pub fn open_or_create(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
-        let other = |found: String| DiskError::OtherScene { path: folder.to_owned(), found };
+    /// [`DiskError::NotAFolder`], [`DiskError::Version`], [`DiskError::Io`]
+    pub fn open_unchanged(folder: &Path, scene: &Scene) -> Result<Option<FilmFolder>, DiskError> {
         match FilmFolder::open(folder) {
-            Ok(film) if film.manifest.fingerprint != spec.fingerprint => {
-                let found = if film.manifest.scene == spec.scene {
-                    format!("another version of the scene `{}`", spec.scene)
-                } else {
-                    format!("the scene `{}`", film.manifest.scene)
-                };
-                Err(other(found))
+            Ok(film) => {
+                let Some(keys) = film.manifest.keys_for(&scene.section_keys()) else { return Ok(None) };
+                let spec = FilmSpec::of(scene, keys.to_vec());
+                let Manifest { mesh, mesh_sha256, .. } = film.manifest;
+                match film.mesh() {
+                    // Names and checks may have changed; they decide no frame.
+                    Ok(_) => FilmFolder::begin(folder, &spec, mesh, mesh_sha256).map(Some),
+                    Err(DiskError::Damaged { .. }) => Ok(None),
+                    Err(error) => Err(error),
+                }
             }
-            Ok(film) if film.triangles()? != mesh.mesh.triangles() => {
-                Err(other(format!("the scene `{}` on another mesh", film.manifest.scene)))
-            }
-            // Names and checks may have changed; they decide no frame.
-            Ok(film) => FilmFolder::begin(folder, spec, film.manifest.mesh, film.manifest.mesh_crc32),
-            Err(DiskError::NotAFilm { .. }) => FilmFolder::create(folder, spec, mesh),
+            Err(DiskError::NotAFilm { .. } | DiskError::Damaged { .. }) => Ok(None),
             Err(error) => Err(error),
         }
     }
 
-    /// Begins anew: removes the frames of whatever film the folder holds. Files that are not
-    /// of a film stay.
+    /// Opens the folder of a film to go on with it, or creates it. Frames of the film as it was before stay, and those
+    /// whose keys are still the same count. Also says what has changed since, in words; nothing if the film is a new one.
     ///
     /// # Errors
-    /// [`DiskError::Io`]
-    pub fn restart(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
+    /// [`DiskError::OtherScene`] if the folder holds the film of a scene with another name, and no frame of this one; then
+    /// nothing is changed. [`DiskError::Version`] if another version of the program wrote it.
+    pub fn open_or_create(
+        folder: &Path,
+        spec: &FilmSpec,
+        mesh: &FilmMesh,
+    ) -> Result<(FilmFolder, Vec<String>), DiskError> {
+        let before = match FilmFolder::open(folder) {
+            Ok(film) => Some(film.manifest),
+            Err(DiskError::NotAFilm { .. } | DiskError::Damaged { .. }) => None,
+            Err(error) => return Err(error),
+        };
+        let is_other = before.as_ref().is_none_or(|before| before.scene != spec.scene);
+        let is_shared = |k: usize| spec.keys.get(k.wrapping_sub(1)).is_some_and(|&key| key_of(folder, k) == Some(key));
+        let numbers = frame_numbers(folder)?;
+        if is_other && !numbers.is_empty() && !numbers.into_iter().any(is_shared) {
+            let found = match before {
+                Some(before) => format!("the scene `{}`", before.scene),
+                None => "another scene, whose manifest.json is not there or damaged".to_owned(),
+            };
+            return Err(DiskError::OtherScene { path: folder.to_owned(), found });
+        }
+        create_folder(folder)?;
+        let path = folder.join("mesh.npz");
+        let bytes = mesh.to_npz().map_err(DiskError::io(&path, "written"))?;
+        write_unless_same(&path, &bytes)?;
+        let film = FilmFolder::begin(folder, spec, MeshCounts::of(&mesh.mesh), Key::of_bytes(&bytes))?;
+        let changes = before.map(|before| before.changes_to(&film.manifest)).unwrap_or_default();
+        Ok((film, changes))
+    }
+
+    /// Removes the frames of whatever film a folder holds.
+    ///
+    /// # Errors
+    /// [`DiskError::NotAFolder`], [`DiskError::Io`]
+    pub(in crate::film) fn clear(folder: &Path) -> Result<(), DiskError> {
         if folder.is_file() {
             return Err(DiskError::not_a_folder(folder));
         }
         frame_files(folder)?.iter().try_for_each(|path| remove(path))?;
-        FilmFolder::create(folder, spec, mesh)
-    }
-
-    fn create(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
-        fs::create_dir_all(folder).map_err(DiskError::io(folder, "created"))?;
-        let path = folder.join("mesh.npz");
-        let bytes = mesh.to_npz().map_err(DiskError::io(&path, "written"))?;
-        write_unless_same(&path, &bytes)?;
-        FilmFolder::begin(folder, spec, MeshCounts::of(&mesh.mesh), crc32fast::hash(&bytes))
+        remove(&folder.join("manifest.json"))
     }
 
     /// Writes the manifest of a film whose mesh is there.
-    fn begin(folder: &Path, spec: &FilmSpec, mesh: MeshCounts, mesh_crc32: u32) -> Result<FilmFolder, DiskError> {
-        let frames = folder.join("frames");
-        fs::create_dir_all(&frames).map_err(DiskError::io(&frames, "created"))?;
-        let manifest = Manifest {
-            format: FORMAT,
-            scene: spec.scene.clone(),
-            fingerprint: spec.fingerprint,
-            frame_count: spec.frame_count,
-            mesh,
-            mesh_crc32,
-            checks: spec.checks.clone(),
-        };
+    fn begin(folder: &Path, spec: &FilmSpec, mesh: MeshCounts, mesh_sha256: Key) -> Result<FilmFolder, DiskError> {
+        create_folder(&folder.join("frames"))?;
+        let manifest = Manifest::of(spec, mesh, mesh_sha256);
         let path = folder.join("manifest.json");
         write_unless_same(&path, &sealed(&path, &manifest)?)?;
         Ok(FilmFolder { folder: folder.to_owned(), manifest })
@@ -109,7 +125,11 @@ impl FilmFolder {
         }
         let path = folder.join("manifest.json");
         let bytes = read(&path)?.ok_or_else(|| DiskError::NotAFilm { path: folder.to_owned() })?;
-        let manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error, RESTART))?;
+        let manifest: Manifest = unseal(&bytes).map_err(|error| broken_seal(&path, error))?;
+        if manifest.frame_count != manifest.keys.len() {
+            let reason = format!("it has {} frames and keys of {}", manifest.frame_count, manifest.keys.len());
+            return Err(DiskError::damaged(&path, reason));
+        }
         Ok(FilmFolder { folder: folder.to_owned(), manifest })
     }
 
@@ -135,14 +155,6 @@ impl FilmFolder {
         })
     }
 
-    /// Corners of the faces, |F|.
-    ///
-    /// # Errors
-    /// [`DiskError::Damaged`] if the mesh is not what was written.
-    pub fn triangles(&self) -> Result<Vec<[u32; 3]>, DiskError> {
-        self.read_mesh(|bytes| triangles_of(bytes, self.manifest.mesh.faces))
-    }
-
     /// The number of each face in the mesh file, that of its polygon, |F|.
     ///
     /// # Errors
@@ -153,9 +165,9 @@ impl FilmFolder {
 
     fn read_mesh<T>(&self, arrays: impl FnOnce(&[u8]) -> Result<T, String>) -> Result<T, DiskError> {
         let path = self.folder.join("mesh.npz");
-        let damaged = |reason: String| DiskError::Damaged { path: path.clone(), reason, remedy: RESTART };
+        let damaged = |reason: String| DiskError::damaged(&path, reason);
         let bytes = read(&path)?.ok_or_else(|| damaged("it is not there".into()))?;
-        if crc32fast::hash(&bytes) != self.manifest.mesh_crc32 {
+        if Key::of_bytes(&bytes) != self.manifest.mesh_sha256 {
             return Err(damaged("its checksum does not match".into()));
         }
         arrays(&bytes).map_err(damaged)
@@ -171,13 +183,14 @@ impl FilmFolder {
         let number = frame.report.frame;
         frame.fits_counts(vertices, edges, faces).map_err(|reason| DiskError::Unfit { frame: number, reason })?;
         let state_path = self.state_path(number);
+        let key = self.key(number).ok_or_else(|| DiskError::Missing { path: state_path.clone() })?;
         let bytes = to_npz(frame).map_err(DiskError::io(&state_path, "written"))?;
         write_unless_same(&state_path, &bytes)?;
         let record = FrameRecord {
             format: FORMAT,
-            fingerprint: self.manifest.fingerprint,
+            key,
             state_bytes: bytes.len() as u64,
-            state_crc32: crc32fast::hash(&bytes),
+            state_sha256: Key::of_bytes(&bytes),
             report: frame.report.clone(),
         };
         let record_path = self.record_path(number);
@@ -187,16 +200,12 @@ impl FilmFolder {
     /// Reads a frame that verifies.
     ///
     /// # Errors
-    /// [`DiskError::Missing`] if it is not there, [`DiskError::Damaged`] and [`DiskError::Version`]
-    /// if it is not what was written.
+    /// [`DiskError::Missing`] if it is not there, [`DiskError::Stale`] if it is of the film as it was before,
+    /// [`DiskError::Damaged`] and [`DiskError::Version`] if it is not what was written.
     pub fn read_frame(&self, frame: usize) -> Result<Frame, DiskError> {
         let (bytes, report) = self.verified(frame)?;
         let path = self.state_path(frame);
-        from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| DiskError::Damaged {
-            path,
-            reason,
-            remedy: SIMULATE_AGAIN,
-        })
+        from_npz(&bytes, report, &self.manifest.mesh).map_err(|reason| DiskError::damaged(&path, reason))
     }
 
     /// Reads the report of a frame that verifies.
@@ -207,20 +216,26 @@ impl FilmFolder {
         Ok(self.verified(frame)?.1)
     }
 
-    /// The last frame before which, itself included, every frame is there and verifies: a simulation goes
-    /// on after it. `None` if frame 1 has to be computed.
+    /// The checksum of the state of a frame that is done, and its report. The state itself is not read.
+    ///
+    /// # Errors
+    /// Those of [`FilmFolder::read_frame`], as far as the report is concerned.
+    pub fn contents(&self, frame: usize) -> Result<(Key, FrameReport), DiskError> {
+        let record = self.record(frame)?;
+        Ok((record.state_sha256, record.report))
+    }
+
+    /// Per frame: whether it is there, verifies, and is of the film as it is now. The others are to be computed.
     ///
     /// # Errors
     /// [`DiskError::Io`] if a frame is there but the system refuses to read it.
-    pub fn last_valid_frame(&self) -> Result<Option<usize>, DiskError> {
-        for frame in 1..=self.manifest.frame_count {
-            match self.verified(frame) {
-                Ok(_) => {}
-                Err(DiskError::Io { path, action, source }) => return Err(DiskError::Io { path, action, source }),
-                Err(_) => return Ok((frame > 1).then(|| frame - 1)),
-            }
-        }
-        Ok(Some(self.manifest.frame_count))
+    pub fn valid_frames(&self) -> Result<Vec<bool>, DiskError> {
+        let is_valid = |frame: usize| match self.verified(frame) {
+            Ok(_) => Ok(true),
+            Err(DiskError::Io { path, action, source }) => Err(DiskError::Io { path, action, source }),
+            Err(_) => Ok(false),
+        };
+        (1..=self.manifest.frame_count).into_par_iter().map(is_valid).collect()
     }
 
     /// The frames whose files are there, done or not, in order.
@@ -228,9 +243,7 @@ impl FilmFolder {
     /// # Errors
     /// [`DiskError::Io`]
     pub fn frames(&self) -> Result<Vec<usize>, DiskError> {
-        let files = frame_files(&self.folder)?;
-        let records = files.iter().filter(|path| path.extension().is_some_and(|ending| ending == "json"));
-        Ok(records.filter_map(|path| frame_number(path)).collect())
+        frame_numbers(&self.folder)
     }
 
     /// Removes files of frames that the film does not have, as a longer one leaves them. Returns their names.
@@ -244,22 +257,27 @@ impl FilmFolder {
         Ok(old.iter().filter_map(|path| Some(path.file_name()?.to_string_lossy().into_owned())).collect())
     }
 
-    fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), DiskError> {
-        let record_path = self.record_path(frame);
-        let bytes = read(&record_path)?.ok_or_else(|| DiskError::Missing { path: record_path.clone() })?;
-        let record: FrameRecord = unseal(&bytes).map_err(|error| broken_seal(&record_path, error, SIMULATE_AGAIN))?;
-        let path = self.state_path(frame);
-        let damaged = |path: &Path, reason: &str| DiskError::Damaged {
-            path: path.to_owned(),
-            reason: reason.to_owned(),
-            remedy: SIMULATE_AGAIN,
-        };
-        if record.fingerprint != self.manifest.fingerprint || record.report.frame != frame {
-            return Err(damaged(&record_path, "it is of another film or frame"));
+    /// The key that a frame of the film has.
+    fn key(&self, frame: usize) -> Option<Key> {
+        self.manifest.keys.get(frame.checked_sub(1)?).copied()
+    }
+
+    /// The record of a frame, if it is of this film.
+    fn record(&self, frame: usize) -> Result<FrameRecord, DiskError> {
+        let path = self.record_path(frame);
+        let record = read_record(&path)?;
+        if record.report.frame != frame {
+            return Err(DiskError::damaged(&path, format!("it is of frame {}", record.report.frame)));
         }
-        let state = read(&path)?.ok_or_else(|| damaged(&path, "it is not there, but its report is"))?;
-        if state.len() as u64 != record.state_bytes || crc32fast::hash(&state) != record.state_crc32 {
-            return Err(damaged(&path, "its checksum does not match"));
+        if self.key(frame) == Some(record.key) { Ok(record) } else { Err(DiskError::Stale { path }) }
+    }
+
+    fn verified(&self, frame: usize) -> Result<(Vec<u8>, FrameReport), DiskError> {
+        let record = self.record(frame)?;
+        let path = self.state_path(frame);
+        let state = read(&path)?.ok_or_else(|| DiskError::damaged(&path, "it is not there, but its report is"))?;
+        if state.len() as u64 != record.state_bytes || Key::of_bytes(&state) != record.state_sha256 {
+            return Err(DiskError::damaged(&path, "its checksum does not match"));
         }
         Ok((state, record.report))
     }
@@ -269,30 +287,33 @@ impl FilmFolder {
     }
 
     fn record_path(&self, frame: usize) -> PathBuf {
-        self.folder.join(format!("frames/{frame:06}.json"))
+        record_path(&self.folder, frame)
     }
 }
 
-/// The files of frames, records (.json) before states: a frame without a record is not done.
-fn frame_files(folder: &Path) -> Result<Vec<PathBuf>, DiskError> {
-    let frames = folder.join("frames");
-    let mut files = Vec::new();
-    if frames.is_dir() {
-        for entry in fs::read_dir(&frames).map_err(DiskError::io(&frames, "read"))? {
-            let path = entry.map_err(DiskError::io(&frames, "read"))?.path();
-            let ending = path.extension().and_then(|ending| ending.to_str());
-            if frame_number(&path).is_some() && matches!(ending, Some("json" | "npz")) {
-                files.push(path);
-            }
-        }
-    }
-    files.sort_by_key(|path| (path.extension().map(ToOwned::to_owned), path.clone()));
-    Ok(files)
+fn record_path(folder: &Path, frame: usize) -> PathBuf {
+    folder.join(format!("frames/{frame:06}.json"))
 }
 
-fn frame_number(path: &Path) -> Option<usize> {
-    let stem = path.file_stem()?.to_str()?;
-    (stem.len() == 6 && stem.bytes().all(|b| b.is_ascii_digit())).then(|| stem.parse().ok()).flatten()
+fn read_record(path: &Path) -> Result<FrameRecord, DiskError> {
+    let bytes = read(path)?.ok_or_else(|| DiskError::Missing { path: path.to_owned() })?;
+    unseal(&bytes).map_err(|error| broken_seal(path, error))
+}
+
+/// The key of a frame on disk, whatever film it is of; `None` if it is not there or damaged.
+fn key_of(folder: &Path, frame: usize) -> Option<Key> {
+    read_record(&record_path(folder, frame)).ok().map(|record| record.key)
+}
+
+fn frame_numbers(folder: &Path) -> Result<Vec<usize>, DiskError> {
+    let files = frame_files(folder)?;
+    let records = files.iter().filter(|path| path.extension().is_some_and(|ending| ending == "json"));
+    Ok(records.filter_map(|path| frame_number(path)).collect())
+}
+
+/// A folder and those above it, where they are not there.
+fn create_folder(folder: &Path) -> Result<(), DiskError> {
+    fs::create_dir_all(folder).map_err(DiskError::io(folder, "created"))
 }
 
 /// A file that already has the bytes is left alone, so that looking at a film does not touch it.
@@ -304,9 +325,9 @@ fn sealed(path: &Path, record: &impl Serialize) -> Result<Vec<u8>, DiskError> {
     seal(record).map_err(|error| DiskError::io(path, "written")(error.into()))
 }
 
-fn broken_seal(path: &Path, error: SealError, remedy: &'static str) -> DiskError {
+fn broken_seal(path: &Path, error: SealError) -> DiskError {
     match error {
         SealError::Version(found) => DiskError::Version { path: path.to_owned(), found },
-        SealError::Damaged(reason) => DiskError::Damaged { path: path.to_owned(), reason, remedy },
+        SealError::Damaged(reason) => DiskError::Damaged { path: path.to_owned(), reason, remedy: SIMULATE_AGAIN },
     }
 }

@@ -47,8 +47,7 @@ impl FilmMesh {
         file.finish()
     }
 
-    /// What a file with these bytes holds, on a mesh that was made of its triangles. Films that were begun by an earlier
-    /// version may lack places, pins or the lattice; they are shown without.
+    /// What a file with these bytes holds, on a mesh that was made of its triangles.
     pub(super) fn from_npz(bytes: &[u8], mesh: Mesh) -> Result<FilmMesh, String> {
         let mut file = ArrayReader::new(bytes)?;
         let vertices = mesh.vertex_count();
@@ -57,10 +56,7 @@ impl FilmMesh {
             false => None,
         };
         let places = places.map(|places| places.as_chunks().0.iter().map(|&p| DVec3::from_array(p)).collect());
-        let pinned = match file.has("pinned") {
-            true => file.array::<u8>("pinned", &[vertices as u64])?,
-            false => Vec::new(),
-        };
+        let pinned = file.array::<u8>("pinned", &[vertices as u64])?;
         let pins = (0..pinned.len()).filter(|&v| pinned[v] != 0).map(VertexId::new).collect();
         let lattice = match file.has("lattice") {
             true => {
@@ -80,10 +76,5 @@ pub(super) fn triangles_of(bytes: &[u8], faces: usize) -> Result<Vec<[u32; 3]>, 
 
 /// The number of each of so many faces in the mesh file.
 pub(super) fn file_faces_of(bytes: &[u8], faces: usize) -> Result<Vec<u32>, String> {
-    let mut file = ArrayReader::new(bytes)?;
-    match file.has("file_face") {
-        true => file.array::<u32>("file_face", &[faces as u64]),
-        // Films of the time before there were such numbers.
-        false => Ok((0..).take(faces).collect()),
-    }
+    ArrayReader::new(bytes)?.array::<u32>("file_face", &[faces as u64])
 }

@@ -2,21 +2,22 @@
 //!
 //! ```text
 //! renders/<scene name>/
-//!     manifest.json        format version, what was simulated, mesh counts, checks
+//!     manifest.json        format version, what was simulated, mesh counts, checks, the key of every frame
 //!     mesh.npz             triangles (F x 3, u32); file_vertex (V, u32) and file_face (F, u32), the numbers of vertices and
 //!                          polygons in the mesh file, from 0; pinned (V, u8), 1 for vertices that are held; places (V x 3),
 //!                          x, y and z of scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
-//!     frames/000001.json   its report, and the checksum of the state
+//!     frames/000001.json   its report, its key, and the checksum of the state
 //! ```
 //!
 //! Every file appears whole or not at all: it is written under a temporary name in the same folder,
-//! synced and renamed. Every file is checksummed, and a frame counts as done only if it verifies. The
-//! state is the same bytes from run to run; what depends on the machine (seconds) stands in the report.
+//! synced and renamed. Every file is checksummed, and a frame counts as done only if it verifies and has the
+//! key that the scene asks for. The same film has the same bytes, whoever made it and however often it was interrupted.
 
 mod error;
 mod folder;
 mod frame_file;
+mod frame_names;
 mod manifest;
 mod mesh_file;
 mod npz;

@@ -6,6 +6,7 @@
 //! the same bytes for any number of threads, and whether or not frames are still being computed meanwhile ([`Arrivals`]).
 
 mod coordinates;
+mod keys;
 mod labels;
 mod passes;
 mod plan;
@@ -17,7 +18,8 @@ mod shots;
 mod stills;
 mod subject;
 
+pub use keys::RENDERER;
 pub use passes::{Arrivals, Event, Watch};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
-pub use stills::{make_pictures, make_pictures_of_arrivals};
+pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};

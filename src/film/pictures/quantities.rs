@@ -2,6 +2,7 @@
 
 use super::{coordinates::Chart, plan::Plan};
 use crate::{
+    digest::Digest,
     evolve::Frame,
     film::{
         disk::{FilmFolder, FilmMesh},
@@ -75,6 +76,17 @@ impl Measures {
             None
         };
         Ok(Measures { fields, color, along, layers })
+    }
+
+    /// What is shown, for the keys of pictures; layers are not.
+    pub fn add_to(&self, digest: Digest) -> Digest {
+        let Measures { fields: _, color, along, layers: _ } = self;
+        digest.shown(color).shown(along)
+    }
+
+    /// Whether fields are shown, which are measured against the first frame.
+    pub fn has_fields(&self) -> bool {
+        self.fields.is_some()
     }
 
     /// The fields of a frame.

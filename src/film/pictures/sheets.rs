@@ -5,8 +5,10 @@ use std::path::Path;
 use super::passes::{Arrivals, Event, Survey, Watch, metadata, survey};
 use super::plan::Plan;
 use super::sheet::{Sheet, evenly};
-use super::shoot::shoot;
+use super::shoot::{keys_of, shoot};
+use crate::digest::{Digest, Key};
 use crate::film::error::FilmError;
+use crate::film::ledger::Ledger;
 use crate::render::{LookName, Metadata, Output, Picture, Png};
 use crate::scene::{LookSection, Scene};
 
@@ -31,9 +33,8 @@ pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch)
     let still = scaled(plan.size(), POSTER_SIDE);
     let sheet =
         if chosen.len() == 1 { Sheet::of(1, still, 0) } else { Sheet::of(chosen.len(), plan.size(), SHEET_WIDTH) };
-    let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
-    let png = Png { small: true, ..Png::default() };
-    Ok(film.write_png(path, png, &metadata(&plan, &survey))?)
+    let key = key_of_sheet(&plan, &survey, &chosen, sheet, SMALL)?;
+    make_unless_fresh(folder, path, key, || contact_sheet(&plan, &mut survey, &chosen, sheet, watch), &metadata(&plan))
 }
 
 /// Makes one small file that shows the last frame of a film in all the looks that have a name.
@@ -42,23 +43,64 @@ pub fn make_poster(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch)
 /// As [`make_pictures`](crate::film::make_pictures).
 pub fn make_look_sheet(scene: &Scene, folder: &Path, path: &Path, watch: &mut Watch) -> Result<(), FilmError> {
     let last = [scene.clock.frames];
-    let mut whole: Option<(Picture, Sheet)> = None;
-    for (index, (_, preset)) in LookName::ALL.into_iter().enumerate() {
-        let scene = Scene { look: LookSection { preset, ..LookSection::default() }, ..scene.clone() };
-        let plan = Plan::of(&scene)?;
-        let arrivals = Arrivals::over();
-        let mut survey = survey(&plan, folder, &last, &arrivals, watch)?;
-        let (film, sheet) = whole.get_or_insert_with(|| {
-            let sheet = Sheet::of(LookName::ALL.len(), plan.size(), SHEET_WIDTH);
-            let [width, height] = sheet.size();
-            (Picture::blank(width, height, plan.look.background[0]), sheet)
-        });
-        let picture = contact_sheet(&plan, &mut survey, &last, Sheet::of(1, sheet.tile, 0), watch)?;
-        film.paste(&picture, sheet.place(index));
+    let in_look = |(_, preset)| Scene { look: LookSection { preset, ..LookSection::default() }, ..scene.clone() };
+    let scenes: Vec<Scene> = LookName::ALL.into_iter().map(in_look).collect();
+    let plans = scenes.iter().map(Plan::of).collect::<Result<Vec<_>, _>>()?;
+    let arrivals = Arrivals::over();
+    let mut surveys = Vec::new();
+    for plan in &plans {
+        surveys.push(survey(plan, folder, &last, &arrivals, watch)?);
     }
-    let png = Png { small: true, ..Png::default() };
-    let metadata = Metadata { scene: scene.name.clone(), ..Metadata::default() };
-    whole.map_or(Ok(()), |(film, _)| Ok(film.write_png(path, png, &metadata)?))
+    let Some(first) = plans.first() else { return Ok(()) };
+    let sheet = Sheet::of(plans.len(), first.size(), SHEET_WIDTH);
+    let tile = Sheet::of(1, sheet.tile, 0);
+    let mut digest = Digest::of("looks").shown(&sheet);
+    for (plan, survey) in plans.iter().zip(&surveys) {
+        digest = digest.key(key_of_sheet(plan, survey, &last, tile, SMALL)?);
+    }
+    let make = || {
+        let [width, height] = sheet.size();
+        let mut whole = Picture::blank(width, height, first.look.background[0]);
+        for (index, (plan, survey)) in plans.iter().zip(&mut surveys).enumerate() {
+            whole.paste(&contact_sheet(plan, survey, &last, tile, watch)?, sheet.place(index));
+        }
+        Ok(whole)
+    };
+    make_unless_fresh(folder, path, digest.finish(), make, &metadata(first))
+}
+
+/// Makes a file beside a film, if it is not there or made of something else.
+fn make_unless_fresh(
+    folder: &Path,
+    path: &Path,
+    key: Key,
+    make: impl FnOnce() -> Result<Picture, FilmError>,
+    metadata: &Metadata,
+) -> Result<(), FilmError> {
+    let ledger = Ledger::open(folder)?;
+    let name = std::path::absolute(path).map_err(|error| FilmError::write(path, error))?;
+    let name = name.to_string_lossy();
+    if ledger.fresh(&name, key).is_none() {
+        make()?.write_png(path, SMALL, metadata)?;
+        ledger.enter(&name, key, key)?;
+    }
+    ledger.close()
+}
+
+/// How files are written that stand in a gallery.
+const SMALL: Png = Png { sixteen_bits: false, small: true };
+
+/// The key of a contact sheet.
+pub(super) fn key_of_sheet(
+    plan: &Plan,
+    survey: &Survey,
+    frames: &[usize],
+    sheet: Sheet,
+    png: Png,
+) -> Result<Key, FilmError> {
+    let output = Output::new(sheet.tile[0], sheet.tile[1], plan.output.samples())?;
+    let digest = Digest::of("sheet").shown(&sheet).shown(&png).shown(&plan.look.background[0]);
+    Ok(keys_of(plan, survey, frames, &output)?.into_iter().fold(digest, Digest::key).finish())
 }
 
 /// Small pictures of some frames on one.
@@ -79,6 +121,7 @@ pub(super) fn contact_sheet(
         survey,
         frames,
         &output,
+        |_| None,
         |picture, _| Ok(picture.clone()),
         |_, _, picture| {
             whole.paste(&picture, sheet.place(done));

@@ -9,7 +9,8 @@ use super::{
     subject::Subject,
 };
 use crate::{
-    evolve::Frame,
+    digest::Digest,
+    evolve::{Frame, FrameReport},
     film::error::FilmError,
     render::{
         Camera, CameraMotion, Exposure, Extent, Legend, Look, Metadata, Output, Overlay, Picture, Plane, RenderError,
@@ -21,7 +22,6 @@ use crate::{
 const LEGEND_SHARE: f64 = 0.13;
 
 /// Takes pictures of one size.
-#[derive(Debug)]
 pub(super) struct Shots<'a> {
     plan: &'a Plan<'a>,
     subject: &'a Subject,
@@ -97,18 +97,38 @@ impl<'a> Shots<'a> {
     }
 
     /// What is known of a picture.
-    pub fn metadata(&self, frame: &Frame) -> Metadata {
+    pub fn metadata(&self, report: &FrameReport) -> Metadata {
         let scene = self.plan.scene;
         Metadata {
             scene: scene.name.clone(),
-            scene_hash: self.subject.scene_hash(),
-            frame: frame.report.frame,
-            frames: scene.clock.frames,
-            time: frame.report.time,
+            frame: report.frame,
+            time: report.time,
             frame_rate: scene.output.frame_rate,
-            comment: labels(scene, &frame.report, self.subject.faces()).unwrap_or_default().join("\n"),
-            camera: Some(self.camera_at(frame.report.frame, 0.0)),
+            comment: labels(scene, report, self.subject.faces()).unwrap_or_default().join("\n"),
+            camera: Some(self.camera_at(report.frame, 0.0)),
         }
+    }
+
+    /// All places of the camera that a picture is taken from while the shutter is open, and where it goes.
+    pub fn cameras(&self, frame: usize) -> Vec<Camera> {
+        let section = &self.plan.scene.camera;
+        let last = section.shutter_samples.saturating_sub(1);
+        let samples = (1..=last).map(|sample| section.shutter * sample as f64 / last as f64);
+        samples.chain([1.0]).map(|part| self.camera_at(frame, part)).collect()
+    }
+
+    /// What holds for all pictures. The camera is told picture by picture.
+    pub fn add_to(&self, digest: Digest) -> Digest {
+        let Shots { plan: _, subject: _, camera: _, look, legend, ground, output } = self;
+        digest.shown(look).shown(legend).shown(ground).shown(&output.with_layers(false))
+    }
+
+    pub fn plan(&self) -> &Plan<'a> {
+        self.plan
+    }
+
+    pub fn subject(&self) -> &Subject {
+        self.subject
     }
 
     /// The camera when this part of the time between a frame and the next one has passed.

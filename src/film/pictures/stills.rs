@@ -1,14 +1,18 @@
 //! Stills and moving pictures of the frames of a film.
 
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::passes::{Arrivals, Event, Survey, Watch, metadata, survey};
 use super::plan::Plan;
 use super::sheet::{Sheet, evenly};
-use super::sheets::{SHEET_WIDTH, contact_sheet, scaled};
-use super::shoot::{Shown, shoot};
-use crate::film::animation::{Animation, Palette, Reeling, begin};
+use super::sheets::{SHEET_WIDTH, contact_sheet, key_of_sheet, scaled};
+use super::shoot::{Shown, keys_of, shoot};
+use crate::digest::{Digest, Key};
+use crate::film::animation::{Animation, Palette, Reeling, begin, file_name};
 use crate::film::error::FilmError;
+use crate::film::ledger::Ledger;
+use crate::film::leftovers::key_of_all_frames;
 use crate::render::{Output, Picture};
 use crate::scene::{AnimationFormat, Scene};
 
@@ -16,12 +20,22 @@ use crate::scene::{AnimationFormat, Scene};
 const PALETTE_FRAMES: usize = 8;
 const PALETTE_SIDE: usize = 320;
 
+/// What was done about the pictures of frames.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Pictured {
+    /// Frames whose pictures were made now.
+    pub made: usize,
+    /// Frames all of whose pictures were there.
+    pub kept: usize,
+}
+
 /// Makes the pictures that a scene asks for, of computed frames given by number in order, in the folder of its film:
-/// `000001.png`, `000001.exr`, `film.gif`, `film.apng`, `film.mp4`, `sheet.png`. Returns how many frames were made.
+/// `000001.png`, `000001.exr`, `film.gif`, `film.apng`, `film.mp4`, `sheet.png`. Those that are there, whole, and made of the
+/// same frames with the same camera and look are kept.
 ///
 /// # Errors
 /// [`FilmError`]; pictures that are finished stay, and none is left unfinished.
-pub fn make_pictures(scene: &Scene, folder: &Path, frames: &[usize], watch: &mut Watch) -> Result<usize, FilmError> {
+pub fn make_pictures(scene: &Scene, folder: &Path, frames: &[usize], watch: &mut Watch) -> Result<Pictured, FilmError> {
     make_pictures_of_arrivals(scene, folder, frames, &Arrivals::over(), watch)
 }
 
@@ -36,60 +50,161 @@ pub fn make_pictures_of_arrivals(
     frames: &[usize],
     arrivals: &Arrivals,
     watch: &mut Watch,
-) -> Result<usize, FilmError> {
+) -> Result<Pictured, FilmError> {
     let plan = Plan::of(scene)?;
     let mut survey = survey(&plan, folder, frames, arrivals, watch)?;
+    let ledger = Ledger::open(folder)?;
+    let mut pictured = Pictured { made: 0, kept: frames.len() };
     if plan.png.is_some() || plan.output.has_layers() || !scene.output.animation.is_empty() {
-        film(&plan, &mut survey, folder, frames, watch)?;
+        pictured = film(&plan, &mut survey, folder, frames, &ledger, watch)?;
     }
     if scene.output.sheet > 0 {
         let chosen = evenly(frames, scene.output.sheet, plan.clock.is_looping());
         let sheet = Sheet::of(chosen.len(), plan.size(), SHEET_WIDTH);
-        let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
-        film.write_png(&folder.join("sheet.png"), plan.png.unwrap_or_default(), &metadata(&plan, &survey))?;
+        let key = key_of_sheet(&plan, &survey, &chosen, sheet, plan.png.unwrap_or_default())?;
+        if ledger.fresh(SHEET, key).is_none() {
+            let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
+            film.write_png(&folder.join(SHEET), plan.png.unwrap_or_default(), &metadata(&plan))?;
+            ledger.enter(SHEET, key, key_of_all_frames(survey.reel.film()))?;
+        }
     }
-    Ok(frames.len())
+    ledger.close()?;
+    Ok(pictured)
 }
 
+/// The contact sheet of a film.
+const SHEET: &str = "sheet.png";
+
 /// Stills and moving pictures.
-fn film(plan: &Plan, survey: &mut Survey, folder: &Path, frames: &[usize], watch: &mut Watch) -> Result<(), FilmError> {
+fn film(
+    plan: &Plan,
+    survey: &mut Survey,
+    folder: &Path,
+    frames: &[usize],
+    ledger: &Ledger,
+    watch: &mut Watch,
+) -> Result<Pictured, FilmError> {
     let output = &plan.scene.output;
     let [_, _, width, height] = plan.output.window();
-    let scene_hash = survey.subject.scene_hash();
-    let reeling = Reeling { width, height, frames: frames.len(), rate: output.frame_rate, scene_hash };
+    let reeling = Reeling { width, height, frames: frames.len(), rate: output.frame_rate };
     plan.notes().into_iter().for_each(|note| watch(Event::Note(note)));
-    let palette = match output.animation.contains(&AnimationFormat::Gif) {
+    let mut formats = output.animation.clone();
+    if survey.reel.has(frames) {
+        let keys = keys_of(plan, survey, frames, &plan.output)?;
+        formats.retain(|&format| ledger.fresh(file_name(format), key_of_animation(format, reeling, &keys)).is_none());
+    }
+    let palette = match formats.contains(&AnimationFormat::Gif) {
         true => palette(plan, survey, frames, watch)?,
         false => Palette::default(),
     };
     let mut animations: Vec<Box<dyn Animation>> =
-        output.animation.iter().map(|&format| begin(format, folder, reeling, &palette)).collect::<Result<_, _>>()?;
+        formats.iter().map(|&format| begin(format, folder, reeling, &palette)).collect::<Result<_, _>>()?;
     let moving = !animations.is_empty();
 
     watch(Event::Begin("render", frames.len()));
     let mut done = 0;
-    let finish = |picture: &Picture, shown: &Shown| -> Result<Option<Vec<u8>>, FilmError> {
-        let name = folder.join(format!("{:06}", shown.number));
-        if let Some(png) = plan.png {
-            picture.write_png(&name.with_extension("png"), png, &shown.metadata)?;
-        }
+    let made = AtomicUsize::new(0);
+    let stills = Stills { plan, folder, ledger, moving };
+    let finish = |picture: &Picture, shown: &Shown| {
+        made.fetch_add(1, Ordering::Relaxed);
+        stills.write(picture, shown)
+    };
+    shoot(
+        plan,
+        survey,
+        frames,
+        &plan.output,
+        |shown| stills.kept(shown),
+        finish,
+        |frame, skipped, pixels| {
+            if let Some(skipped @ 1..) = skipped {
+                watch(Event::Note(format!("frame {frame}: {skipped} triangles have no area and are not drawn")));
+            }
+            if let Some(pixels) = pixels {
+                animations.iter_mut().try_for_each(|animation| animation.push(&pixels))?;
+            }
+            done += 1;
+            watch(Event::Done(done));
+            Ok(())
+        },
+    )?;
+    animations.into_iter().try_for_each(|animation| animation.finish())?;
+    if moving {
+        let (keys, shows) = (keys_of(plan, survey, frames, &plan.output)?, key_of_all_frames(survey.reel.film()));
+        let enter = |&format: &AnimationFormat| {
+            ledger.enter(file_name(format), key_of_animation(format, reeling, &keys), shows)
+        };
+        formats.iter().try_for_each(enter)?;
+    }
+    let made = made.into_inner();
+    Ok(Pictured { made, kept: frames.len() - made })
+}
+
+fn key_of_animation(format: AnimationFormat, reeling: Reeling, pictures: &[Key]) -> Key {
+    let digest = Digest::of("animation").shown(&format).shown(&reeling);
+    pictures.iter().fold(digest, |digest, &key| digest.key(key)).finish()
+}
+
+/// The stills of a film.
+struct Stills<'a> {
+    plan: &'a Plan<'a>,
+    folder: &'a Path,
+    ledger: &'a Ledger,
+    /// Whether their pixels are wanted for moving pictures.
+    moving: bool,
+}
+
+impl Stills<'_> {
+    /// What moving pictures want of a frame (nothing, if none are made), if all its stills are there.
+    fn kept(&self, shown: &Shown) -> Option<Option<Vec<u8>>> {
+        let Stills { plan, ledger, moving, .. } = self;
+        let [png, exr] = self.names(shown);
+        let png_bytes = match plan.png {
+            Some(_) => Some(ledger.fresh(&png, self.key_of_png(shown))?),
+            None => None,
+        };
         if plan.output.has_layers() {
-            picture.write_exr(&name.with_extension("exr"), &shown.metadata)?;
+            ledger.fresh(&exr, key_of_exr(shown))?;
+        }
+        match png_bytes {
+            _ if !moving => (png_bytes.is_some() || plan.output.has_layers()).then_some(None),
+            // Those of 16 bits are not dithered.
+            Some(bytes) if plan.png.is_some_and(|png| !png.sixteen_bits) => {
+                let image = image::load_from_memory_with_format(&bytes, image::ImageFormat::Png).ok()?;
+                Some(Some(image.into_rgb8().into_raw()))
+            }
+            _ => None,
+        }
+    }
+
+    /// Writes the stills of a frame, and gives what moving pictures want of it.
+    fn write(&self, picture: &Picture, shown: &Shown) -> Result<Option<Vec<u8>>, FilmError> {
+        let Stills { plan, folder, ledger, moving } = self;
+        let [png, exr] = self.names(shown);
+        if let Some(style) = plan.png
+            && ledger.fresh(&png, self.key_of_png(shown)).is_none()
+        {
+            picture.write_png(&folder.join(&png), style, &shown.metadata)?;
+            ledger.enter(&png, self.key_of_png(shown), shown.state)?;
+        }
+        if plan.output.has_layers() && ledger.fresh(&exr, key_of_exr(shown)).is_none() {
+            picture.write_exr(&folder.join(&exr), &shown.metadata)?;
+            ledger.enter(&exr, key_of_exr(shown), shown.state)?;
         }
         Ok(moving.then(|| picture.srgb_bytes()))
-    };
-    shoot(plan, survey, frames, &plan.output, finish, |frame, skipped, pixels| {
-        if skipped > 0 {
-            watch(Event::Note(format!("frame {frame}: {skipped} triangles have no area and are not drawn")));
-        }
-        if let Some(pixels) = pixels {
-            animations.iter_mut().try_for_each(|animation| animation.push(&pixels))?;
-        }
-        done += 1;
-        watch(Event::Done(done));
-        Ok(())
-    })?;
-    animations.into_iter().try_for_each(|animation| animation.finish())
+    }
+
+    fn names(&self, shown: &Shown) -> [String; 2] {
+        ["png", "exr"].map(|ending| format!("{:06}.{ending}", shown.number))
+    }
+
+    fn key_of_png(&self, shown: &Shown) -> Key {
+        Digest::of("png").shown(&self.plan.png).key(shown.key).finish()
+    }
+}
+
+fn key_of_exr(shown: &Shown) -> Key {
+    Digest::of("exr").key(shown.key_of_layers).finish()
 }
 
 /// The colours of a GIF, from small pictures of some frames.
@@ -106,6 +221,7 @@ fn palette(plan: &Plan, survey: &mut Survey, frames: &[usize], watch: &mut Watch
         survey,
         &chosen,
         &output,
+        |_| None,
         |picture, _| Ok(picture.srgb_bytes()),
         |_, _, bytes| {
             pixels.extend(bytes);

@@ -10,6 +10,7 @@ use super::{
     quantities::{Measures, Quantities, Spreads},
 };
 use crate::{
+    digest::Digest,
     evolve::Frame,
     film::{
         disk::{FilmFolder, FilmMesh},
@@ -35,8 +36,6 @@ pub(super) struct Subject {
     components: Vec<Vec<u32>>,
     explode: f64,
     hidden_faces: Vec<usize>,
-    /// Fingerprint of what was simulated.
-    scene_hash: u32,
 }
 
 /// A frame as it is drawn.
@@ -79,7 +78,6 @@ impl Subject {
         let components = if look.explode > 0.0 { components(mesh) } else { Vec::new() };
         let boundary = mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| ends(mesh, e)).collect();
         let explode = look.explode;
-        let scene_hash = folder.manifest().fingerprint;
         let measures = Measures::of(plan, folder, &surface)?;
         Ok(Subject {
             mesh: mesh.clone(),
@@ -91,7 +89,6 @@ impl Subject {
             components,
             explode,
             hidden_faces,
-            scene_hash,
         })
     }
 
@@ -100,9 +97,14 @@ impl Subject {
         self.triangles.len()
     }
 
-    /// Fingerprint of what was simulated.
-    pub fn scene_hash(&self) -> u32 {
-        self.scene_hash
+    /// What pictures show of the surface beside its frames and what is asked of them, for their keys.
+    pub fn add_to(&self, digest: Digest) -> Digest {
+        self.measures.add_to(digest)
+    }
+
+    /// Whether fields are shown, which are measured against the first frame.
+    pub fn has_fields(&self) -> bool {
+        self.measures.has_fields()
     }
 
     /// Where the vertices of a frame are in the picture: components are moved away from the middle of all.

@@ -7,12 +7,8 @@ use crate::render::Camera;
 pub struct Metadata {
     /// Name of the scene.
     pub scene: String,
-    /// Fingerprint of what was simulated.
-    pub scene_hash: u32,
     /// Counted from 1.
     pub frame: usize,
-    /// Frames of the film.
-    pub frames: usize,
     /// In the units of the scene.
     pub time: f64,
     /// Frames a second.
@@ -32,20 +28,14 @@ impl Metadata {
         let mut texts = vec![("Software", Self::SOFTWARE.to_owned())];
         if !self.scene.is_empty() {
             texts.push(("Scene", self.scene.clone()));
-            texts.push(("Scene hash", self.hash()));
         }
         if self.frame > 0 {
-            texts.push(("Frame", format!("{} of {}", self.frame, self.frames)));
+            texts.push(("Frame", self.frame.to_string()));
             texts.push(("Time", self.time.to_string()));
         }
         if !self.comment.is_empty() {
             texts.push(("Comment", self.comment.clone()));
         }
         texts
-    }
-
-    /// The fingerprint as it is written.
-    pub(crate) fn hash(&self) -> String {
-        format!("{:08x}", self.scene_hash)
     }
 }

@@ -98,11 +98,9 @@ fn attributes(metadata: &Metadata) -> LayerAttributes {
     let mut say = |name: &str, value: AttributeValue| drop(attributes.other.insert(latin(name), value));
     if !metadata.scene.is_empty() {
         say("scene", AttributeValue::Text(latin(&metadata.scene)));
-        say("sceneHash", AttributeValue::Text(latin(&metadata.hash())));
     }
     if metadata.frame > 0 {
         say("frame", AttributeValue::I32(count(metadata.frame)));
-        say("frames", AttributeValue::I32(count(metadata.frames)));
         say("time", AttributeValue::F64(metadata.time));
     }
     if !metadata.comment.is_empty() {

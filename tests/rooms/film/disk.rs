@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use immerse::algebra::Complex;
+use immerse::digest::Key;
 use immerse::evolve::{BendingError, ComponentReport, Cursor, Frame, FrameReport};
-use immerse::film::{DiskError, FilmFolder, FilmMesh, FilmSpec};
+use immerse::film::{DiskError, FilmFolder, FilmMesh, FilmSpec, clear_film};
 use immerse::mesh::{EdgeId, Mesh, VertexId};
 use immerse::scene::ChecksSection;
 use immerse::spin::SpinStructure;
@@ -25,7 +26,16 @@ fn kept(places: Option<&Vec<DVec3>>) -> FilmMesh {
 
 fn film() -> FilmSpec {
     let checks = ChecksSection { max_rims: Some(0), ..Default::default() };
-    FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: 4, checks }
+    FilmSpec { scene: "test".into(), sections: Default::default(), keys: keys(0, 4), checks }
+}
+
+/// Of so many frames; the same number makes the same film.
+fn keys(film: u8, frames: u8) -> Vec<Key> {
+    (1..=frames).map(|frame| Key::of_bytes(&[film, frame])).collect()
+}
+
+fn open(folder: &Path, film: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
+    FilmFolder::open_or_create(folder, film, mesh).map(|(film, _)| film)
 }
 
 fn state(frame: usize) -> Frame {
@@ -42,7 +52,6 @@ fn state(frame: usize) -> Frame {
             time: frame as f64 / 24.0,
             l2_length_error: 0.0123456789012345,
             spin_class: "01".into(),
-            seconds: 1.5,
             converged: true,
             ..Default::default()
         },
@@ -51,7 +60,7 @@ fn state(frame: usize) -> Frame {
 
 /// A film with three of its four frames done.
 fn cache(folder: &Path) -> FilmFolder {
-    let cache = FilmFolder::open_or_create(folder, &film(), &kept(None)).unwrap();
+    let cache = open(folder, &film(), &kept(None)).unwrap();
     for frame in 1..=3 {
         cache.write_frame(&state(frame)).unwrap();
     }
@@ -79,7 +88,7 @@ fn what_was_written_comes_back_to_the_bit() {
     let written = cache(&dir);
     let cache = FilmFolder::open(&dir).unwrap();
     assert_eq!(cache.manifest(), written.manifest());
-    assert_eq!(cache.triangles().unwrap(), TETRAHEDRON);
+    assert_eq!(cache.mesh().unwrap().mesh.triangles(), TETRAHEDRON);
     let counts = cache.manifest().mesh;
     assert_eq!([counts.vertices, counts.edges, counts.faces, counts.genus, counts.boundaries], [4, 6, 4, 0, 0]);
     assert_eq!(cache.manifest().checks, film().checks);
@@ -94,7 +103,7 @@ fn what_was_written_comes_back_to_the_bit() {
         assert_eq!(cache.read_report(frame).unwrap(), state(frame).report);
     }
     assert_eq!(cache.frames().unwrap(), [1, 2, 3]);
-    assert_eq!(cache.last_valid_frame().unwrap(), Some(3));
+    assert_eq!(cache.valid_frames().unwrap(), [true, true, true, false]);
     assert!(matches!(cache.read_frame(4), Err(DiskError::Missing { .. })));
     assert!(contents(&dir).iter().all(|(name, _)| !name.ends_with(".part")));
 }
@@ -111,7 +120,7 @@ fn the_state_is_the_same_bytes_whenever_and_however_long_it_was_computed() {
         fs::read(folder.path().join("frames/000002.npz")).unwrap()
     });
     assert_eq!(bytes[0], bytes[1]);
-    // Neither the clock nor the machine is in it: this is what it has been since format 1.
+    // Neither the clock nor the machine is in it: this is what it has been since format 2.
     assert_eq!((bytes[0].len(), crc32fast::hash(&bytes[0])), STATE_LENGTH_AND_CRC32);
 }
 
@@ -134,19 +143,19 @@ fn a_resume_skips_only_frames_that_verify() {
                 Some(_) => bytes.push(0),
             }
             fs::write(&path, bytes).unwrap();
-            assert_eq!(cache.last_valid_frame().unwrap(), Some(1), "{name}, damage {damage}");
+            assert_eq!(cache.valid_frames().unwrap(), [true, false, true, false], "{name}, damage {damage}");
             assert!(cache.read_frame(2).is_err() && cache.read_report(2).is_err());
             assert!(cache.read_frame(3).is_ok());
         }
         fs::remove_file(&path).unwrap();
-        assert_eq!(cache.last_valid_frame().unwrap(), Some(1));
+        assert_eq!(cache.valid_frames().unwrap(), [true, false, true, false]);
         fs::write(&path, good).unwrap();
-        assert_eq!(cache.last_valid_frame().unwrap(), Some(3));
+        assert_eq!(cache.valid_frames().unwrap(), [true, true, true, false]);
     }
     cache.write_frame(&state(4)).unwrap();
-    assert_eq!(cache.last_valid_frame().unwrap(), Some(4));
+    assert_eq!(cache.valid_frames().unwrap(), [true; 4]);
     fs::remove_file(folder.path().join("frames/000001.json")).unwrap();
-    assert_eq!(cache.last_valid_frame().unwrap(), None);
+    assert_eq!(cache.valid_frames().unwrap(), [false, true, true, true]);
 }
 
 #[test]
@@ -175,45 +184,48 @@ fn another_scene_is_refused_and_nothing_overwritten() {
     let folder = tempfile::tempdir().unwrap();
     cache(folder.path());
     let before = contents(folder.path());
-    let changed = FilmSpec { fingerprint: 8, ..film() };
-    let other = FilmSpec { scene: "other".into(), ..changed.clone() };
-    let two_faces = Mesh::from_faces(4, &[[0, 1, 2], [0, 2, 3]]).unwrap();
-    for (film, mesh, found) in [
-        (&changed, tetrahedron(), "another version of the scene `test`"),
-        (&other, tetrahedron(), "the scene `test`, and nothing was overwritten"),
-        (&film(), two_faces, "the scene `test` on another mesh"),
-    ] {
-        let error = FilmFolder::open_or_create(folder.path(), film, &FilmMesh::of(Arc::new(mesh.clone()))).unwrap_err();
+    let other = FilmSpec { scene: "other".into(), keys: keys(1, 4), ..film() };
+    let refused = |found: &str| {
+        let error = open(folder.path(), &other, &kept(None)).unwrap_err();
         assert!(matches!(error, DiskError::OtherScene { .. }));
         let message = error.to_string();
         assert!(message.contains(found) && message.contains("--restart") && message.contains("--out"), "{message}");
-    }
+    };
+    refused("the scene `test`, and nothing was overwritten");
     assert_eq!(contents(folder.path()), before);
     // Opening it with the same scene changes nothing either.
-    FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
+    open(folder.path(), &film(), &kept(None)).unwrap();
     assert_eq!(contents(folder.path()), before);
+    // Nor does anybody lose the frames of a film whose manifest is damaged.
+    fs::write(folder.path().join("manifest.json"), "{").unwrap();
+    refused("another scene, whose manifest.json is not there or damaged");
 }
 
 #[test]
-fn places_of_the_mesh_are_kept_if_there_are_any() {
-    let places: Vec<DVec3> = (0..4).map(|i| DVec3::new(f64::from(i) / 3.0, -0.0, 1e-300)).collect();
-    let folder = tempfile::tempdir().unwrap();
-    let with = FilmFolder::open_or_create(folder.path(), &film(), &kept(Some(&places))).unwrap();
-    assert_eq!(with.mesh().unwrap().places, Some(places.clone()));
-    assert_eq!(with.triangles().unwrap(), TETRAHEDRON);
-    // Whoever goes on with the film leaves them as they are.
-    let before = contents(folder.path());
-    let again = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
-    assert_eq!((again.mesh().unwrap().places, contents(folder.path())), (Some(places.clone()), before));
-
-    // Folders without places stay without: what is there is not touched.
+fn frames_whose_keys_are_the_same_are_kept_when_the_scene_changes() {
     let folder = tempfile::tempdir().unwrap();
     cache(folder.path());
-    let before = contents(folder.path());
-    let again = FilmFolder::open_or_create(folder.path(), &film(), &kept(Some(&places))).unwrap();
-    assert_eq!((again.mesh().unwrap().places, contents(folder.path())), (None, before));
-    let anew = FilmFolder::restart(folder.path(), &film(), &kept(Some(&places))).unwrap();
-    assert_eq!(anew.mesh().unwrap().places, Some(places));
+    let sections = [("metric".to_owned(), Key::of_bytes(b"other"))].into();
+    let keys = [&keys(0, 2)[..], &keys(1, 5)[2..]].concat();
+    let changed = FilmSpec { sections, keys, ..film() };
+    let (film, changes) = FilmFolder::open_or_create(folder.path(), &changed, &kept(None)).unwrap();
+    assert_eq!(changes, ["[metric]"]);
+    assert_eq!(film.valid_frames().unwrap(), [true, true, false, false, false]);
+    let error = film.read_frame(3).unwrap_err();
+    assert!(matches!(error, DiskError::Stale { .. }), "{error}");
+    // A frame that is computed again does not change what comes after it.
+    film.write_frame(&state(4)).unwrap();
+    assert_eq!(film.valid_frames().unwrap(), [true, true, false, true, false]);
+}
+
+#[test]
+fn the_mesh_follows_the_scene() {
+    let places: Vec<DVec3> = (0..4).map(|i| DVec3::new(f64::from(i) / 3.0, -0.0, 1e-300)).collect();
+    let folder = tempfile::tempdir().unwrap();
+    let with = open(folder.path(), &film(), &kept(Some(&places))).unwrap();
+    assert_eq!(with.mesh().unwrap().places, Some(places.clone()));
+    let without = open(folder.path(), &film(), &kept(None)).unwrap();
+    assert_eq!(without.mesh().unwrap().places, None);
 }
 
 #[test]
@@ -222,25 +234,15 @@ fn a_restart_begins_anew_and_leaves_other_files_alone() {
     cache(folder.path());
     let stranger = folder.path().join("frames/notes.json");
     fs::write(&stranger, "mine").unwrap();
-    let changed = FilmSpec { fingerprint: 8, frame_count: 2, ..film() };
-    let cache = FilmFolder::restart(folder.path(), &changed, &kept(None)).unwrap();
-    assert_eq!((cache.frames().unwrap(), cache.last_valid_frame().unwrap()), (vec![], None));
-    assert_eq!(FilmFolder::open(folder.path()).unwrap().manifest().fingerprint, 8);
+    clear_film(folder.path()).unwrap();
+    let other = FilmSpec { scene: "other".into(), keys: keys(1, 2), ..film() };
+    let cache = open(folder.path(), &other, &kept(None)).unwrap();
+    assert_eq!((cache.frames().unwrap(), cache.valid_frames().unwrap()), (vec![], vec![false; 2]));
     assert_eq!(fs::read_to_string(stranger).unwrap(), "mine");
 }
 
 #[test]
-fn frames_of_another_scene_do_not_count_even_without_their_manifest() {
-    let folder = tempfile::tempdir().unwrap();
-    cache(folder.path());
-    fs::remove_file(folder.path().join("manifest.json")).unwrap();
-    let changed = FilmSpec { fingerprint: 8, ..film() };
-    let cache = FilmFolder::open_or_create(folder.path(), &changed, &kept(None)).unwrap();
-    assert_eq!(cache.last_valid_frame().unwrap(), None);
-}
-
-#[test]
-fn manifests_of_other_versions_and_broken_ones_are_refused() {
+fn manifests_of_other_versions_are_refused_and_broken_ones_made_anew() {
     let folder = tempfile::tempdir().unwrap();
     let error = FilmFolder::open(folder.path()).unwrap_err();
     assert!(matches!(error, DiskError::NotAFilm { .. }));
@@ -249,27 +251,31 @@ fn manifests_of_other_versions_and_broken_ones_are_refused() {
     cache(folder.path());
     let path = folder.path().join("manifest.json");
     let good = fs::read_to_string(&path).unwrap();
-    fs::write(&path, good.replace("\"format\": 1", "\"format\": 2")).unwrap();
-    let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
-    assert!(matches!(error, DiskError::Version { found: 2, .. }), "{error}");
-    assert!(error.to_string().contains("it has format 2, this program reads format 1"), "{error}");
+    fs::write(&path, good.replace("\"format\": 2", "\"format\": 3")).unwrap();
+    let error = open(folder.path(), &film(), &kept(None)).unwrap_err();
+    assert!(matches!(error, DiskError::Version { found: 3, .. }), "{error}");
+    assert!(error.to_string().contains("it has format 3, this program reads format 2"), "{error}");
 
     for broken in [good.replace("test", "tset"), good[..good.len() / 2].to_owned(), String::new(), "{}".into()] {
         fs::write(&path, broken).unwrap();
-        let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
+        let error = FilmFolder::open(folder.path()).unwrap_err();
         assert!(matches!(error, DiskError::Damaged { .. }), "{error}");
-        assert!(error.to_string().contains("--restart"), "{error}");
+        assert!(error.to_string().contains("makes it anew and keeps the rest"), "{error}");
+        // Whoever has the scene has it back.
+        let film = open(folder.path(), &film(), &kept(None)).unwrap();
+        assert_eq!(film.valid_frames().unwrap(), [true, true, true, false]);
+        assert_eq!(fs::read_to_string(&path).unwrap(), good);
     }
-    fs::write(&path, good).unwrap();
     fs::write(folder.path().join("mesh.npz"), "").unwrap();
-    let error = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap_err();
+    let error = FilmFolder::open(folder.path()).unwrap().mesh().unwrap_err();
     assert!(error.to_string().contains("mesh.npz: it is damaged"), "{error}");
+    assert!(open(folder.path(), &film(), &kept(None)).unwrap().mesh().is_ok());
 }
 
 #[test]
 fn frames_that_are_unfit_are_not_written() {
     let folder = tempfile::tempdir().unwrap();
-    let cache = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
+    let cache = open(folder.path(), &film(), &kept(None)).unwrap();
     let mut short = state(1);
     short.positions.pop();
     let mut diverged = state(1);
@@ -290,7 +296,7 @@ fn frames_that_are_unfit_are_not_written() {
 #[test]
 fn a_report_has_numbers_only() {
     type Put = fn(&mut FrameReport, f64);
-    let places: [(&str, Put); 27] = [
+    let places: [(&str, Put); 26] = [
         ("time", |r, x| r.time = x),
         ("l2_length_error", |r, x| r.l2_length_error = x),
         ("max_length_error", |r, x| r.max_length_error = x),
@@ -314,7 +320,6 @@ fn a_report_has_numbers_only() {
         ("sharpest_degrees", |r, x| r.places.sharpest_degrees = x),
         ("dt", |r, x| r.cursor.dt = x),
         ("turn", |r, x| r.cursor.turn = x),
-        ("seconds", |r, x| r.seconds = x),
         ("a component", |r, x| r.components = vec![ComponentReport { l2_length_error: x, ..Default::default() }]),
         ("a component", |r, x| r.components = vec![ComponentReport { max_length_error: x, ..Default::default() }]),
         ("a component", |r, x| {
@@ -323,7 +328,7 @@ fn a_report_has_numbers_only() {
         }),
     ];
     let folder = tempfile::tempdir().unwrap();
-    let cache = FilmFolder::open_or_create(folder.path(), &film(), &kept(None)).unwrap();
+    let cache = open(folder.path(), &film(), &kept(None)).unwrap();
     for (name, put) in places {
         for bad in [f64::NAN, f64::INFINITY] {
             let mut frame = state(1);
@@ -344,29 +349,38 @@ fn pins_and_the_sides_of_a_flat_torus_are_kept() {
     let pins: Vec<VertexId> = [1, 3].map(VertexId::new).to_vec();
     let lattice = Some([[3.0, 0.1], [-0.2, 2.5]]);
     let mesh = FilmMesh { pins: pins.clone(), lattice, ..kept(None) };
-    let read = FilmFolder::open_or_create(folder.path(), &film(), &mesh).unwrap().mesh().unwrap();
+    let read = open(folder.path(), &film(), &mesh).unwrap().mesh().unwrap();
     assert_eq!((read.pins, read.lattice, read.places), (pins, lattice, None));
     assert_eq!(read.mesh.triangles(), tetrahedron().triangles());
 }
 
-/// A film that was made before pins and the sides of flat tori were kept.
+/// A number of frames that no film has would be reserved or counted through.
 #[test]
-fn older_films_are_read() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rooms/film/inputs/before_pins");
-    let film = FilmFolder::open(&folder).unwrap();
-    let mesh = film.mesh().unwrap();
-    assert_eq!((mesh.mesh.face_count(), mesh.pins.len(), mesh.lattice), (72, 0, None));
-    assert_eq!(mesh.places.unwrap().len(), 36);
-    let frame = film.read_frame(1).unwrap();
-    assert_eq!((frame.report.frame, frame.rims.len()), (1, 34));
-    assert!(frame.fits(&mesh.mesh).is_ok());
-    assert_eq!(frame.report.stiffness, [1.0, 1e-4, 1.0, 0.1]);
+fn a_forged_number_of_frames_is_seen() {
+    let folder = tempfile::tempdir().unwrap();
+    cache(folder.path());
+    let path = folder.path().join("manifest.json");
+    let text = fs::read_to_string(&path).unwrap();
+    let forged = text.replace("\"frame_count\": 4", "\"frame_count\": 1152921504606846976");
+    let (_, body) = forged.split_once("\",").unwrap();
+    fs::write(&path, format!("{{\n  \"crc32\": \"{:08x}\",{body}", crc32fast::hash(body.as_bytes()))).unwrap();
+    let error = FilmFolder::open(folder.path()).unwrap_err();
+    assert!(error.to_string().contains("it has 1152921504606846976 frames and keys of 4"), "{error}");
+}
+
+/// A film of the first format, in which nothing says what its frames are made of.
+#[test]
+fn older_films_are_refused_with_a_remedy() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/rooms/film/inputs/format_1");
+    let error = FilmFolder::open(&folder).unwrap_err();
+    assert!(matches!(error, DiskError::Version { found: 1, .. }), "{error}");
+    assert!(error.to_string().contains("pass --restart to begin anew"), "{error}");
 }
 
 #[cfg(target_os = "linux")]
 #[test]
 fn a_folder_that_cannot_be_written_is_an_error_with_a_path() {
-    let error = FilmFolder::open_or_create(Path::new("/proc/immerse"), &film(), &kept(None)).unwrap_err();
+    let error = open(Path::new("/proc/immerse"), &film(), &kept(None)).unwrap_err();
     assert!(matches!(error, DiskError::Io { action: "created", .. }), "{error}");
     assert!(error.to_string().contains("/proc/immerse"), "{error}");
 }

@@ -11,6 +11,7 @@ use exr::prelude::{AnyChannels, FlatSamples, Layer, read_first_flat_layer_from_f
 use glam::{DQuat, DVec3};
 use immerse::{
     algebra::Complex,
+    digest::Key,
     evolve::Frame,
     evolve::FrameReport,
     film::{Event, FilmError, FilmFolder, FilmMesh, FilmSpec, make_pictures, make_poster},
@@ -22,10 +23,14 @@ use immerse::{
 /// A film of these positions on disk, one frame each, at times from 0 to 1.
 fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
     let mesh = Mesh::from_faces(frames[0].len(), triangles).expect("a manifold");
-    let film =
-        FilmSpec { scene: "test".into(), fingerprint: 7, frame_count: frames.len(), checks: scene("").checks.clone() };
+    let film = FilmSpec {
+        scene: "test".into(),
+        sections: Default::default(),
+        keys: (1..=frames.len()).map(|frame| Key::of_bytes(&[frame as u8])).collect(),
+        checks: scene("").checks.clone(),
+    };
     let kept = FilmMesh { places: Some(frames[0].clone()), ..FilmMesh::of(mesh.clone().into()) };
-    let cache = FilmFolder::open_or_create(folder, &film, &kept).expect("a film");
+    let cache = FilmFolder::open_or_create(folder, &film, &kept).expect("a film").0;
     for (k, positions) in frames.iter().enumerate() {
         let time = if frames.len() > 1 { k as f64 / (frames.len() - 1) as f64 } else { 0.0 };
         let report = FrameReport {
@@ -50,7 +55,7 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
 }
 
 fn make(scene: &Scene, folder: &Path, frames: &[usize]) -> Result<usize, FilmError> {
-    make_pictures(scene, folder, frames, &mut |_| {})
+    make_pictures(scene, folder, frames, &mut |_| {}).map(|pictured| pictured.made + pictured.kept)
 }
 
 /// A ball that grows from frame to frame.

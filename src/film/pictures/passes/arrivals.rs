@@ -52,6 +52,11 @@ impl Arrivals {
         self.now().is_stopped
     }
 
+    /// Whether a frame is on disk by now.
+    pub fn has(&self, frame: usize) -> bool {
+        self.now().reached >= frame
+    }
+
     /// Waits until a frame is on disk; says whether it is, for it may be that no more will come.
     pub fn wait_for(&self, frame: usize) -> bool {
         let waiting = |now: &mut Now| !now.is_over && now.reached < frame;

@@ -11,5 +11,5 @@ pub use arrivals::Arrivals;
 pub use event::{Event, Watch};
 pub(super) use in_order::in_order;
 pub(super) use memory::{at_a_time, picture_bytes};
-pub(super) use reel::Frames;
+pub(super) use reel::{Frames, Reel};
 pub(super) use survey::{Survey, metadata, survey};

@@ -6,7 +6,8 @@ use rayon::prelude::*;
 
 use super::arrivals::Arrivals;
 use crate::{
-    evolve::Frame,
+    digest::Key,
+    evolve::{Frame, FrameReport},
     film::{
         disk::{DiskError, FilmFolder},
         error::FilmError,
@@ -17,6 +18,19 @@ use crate::{
 
 /// Frames in memory, by number.
 pub(in crate::film::pictures) type Frames = BTreeMap<usize, Arc<Frame>>;
+
+/// What was seen of frames that were passed over.
+#[derive(Debug, Default)]
+pub(in crate::film::pictures) struct Passed {
+    /// How many frames were there, from the first on.
+    pub frames: usize,
+    /// Why the one after them is not.
+    pub ended_by: Option<FilmError>,
+    /// Where they all are.
+    pub extent: Extent,
+    /// How their values are spread.
+    pub spreads: Spreads,
+}
 
 /// The frames of a film.
 #[derive(Debug)]
@@ -38,8 +52,24 @@ impl Reel<'_> {
         Ok(Reel { film: FilmFolder::open(folder)?, frames: BTreeMap::new(), arrivals })
     }
 
+    /// Whether these frames (in order) are all there by now.
+    pub fn has(&self, frames: &[usize]) -> bool {
+        frames.last().is_none_or(|&frame| self.arrivals.has(frame))
+    }
+
+    /// The checksum of the state of a frame that is there, and its report.
+    ///
+    /// # Errors
+    /// [`FilmError::NoSuchFrame`] if it is not there, [`FilmError::Disk`] if it is not what was written.
+    pub fn contents(&self, frame: usize) -> Result<(Key, FrameReport), FilmError> {
+        self.film.contents(frame).map_err(|error| self.lost(frame, error))
+    }
+
     /// Waits for the last of these frames.
-    fn wait_for(&self, frames: &[usize]) -> Result<(), FilmError> {
+    ///
+    /// # Errors
+    /// [`FilmError::NoSuchFrame`] if no more will come.
+    pub fn wait_for(&self, frames: &[usize]) -> Result<(), FilmError> {
         match frames.last() {
             Some(&frame) if !self.arrivals.wait_for(frame) => Err(self.no_such(frame)),
             _ => Ok(()),
@@ -48,6 +78,13 @@ impl Reel<'_> {
 
     fn no_such(&self, frame: usize) -> FilmError {
         FilmError::NoSuchFrame { folder: self.film.folder().to_owned(), frame }
+    }
+
+    fn lost(&self, frame: usize, error: DiskError) -> FilmError {
+        match error {
+            DiskError::Missing { .. } => self.no_such(frame),
+            error => error.into(),
+        }
     }
 
     pub fn film(&self) -> &FilmFolder {
@@ -71,17 +108,13 @@ impl Reel<'_> {
         let missing: Vec<usize> = frames.iter().copied().filter(|frame| !self.frames.contains_key(frame)).collect();
         let read: Vec<_> = missing.par_iter().map(|&frame| self.film.read_frame(frame)).collect();
         for (number, frame) in missing.into_iter().zip(read) {
-            let frame = frame.map_err(|error| match error {
-                DiskError::Missing { .. } => self.no_such(number),
-                error => error.into(),
-            })?;
+            let frame = frame.map_err(|error| self.lost(number, error))?;
             self.frames.insert(number, Arc::new(frame));
         }
         Ok(self.frames.clone())
     }
 
-    /// Passes over so many frames as they come, up to the last one before which every frame is there and verifies, and
-    /// returns its number (0 if none is), the extent of them all and how their values are spread.
+    /// Passes over so many frames as they come, up to the last one before which every frame is there and verifies.
     pub fn pass(
         &self,
         plan: &Plan,
@@ -89,8 +122,8 @@ impl Reel<'_> {
         count: usize,
         at_a_time: usize,
         mut advance: impl FnMut(usize),
-    ) -> Result<(usize, Extent, Spreads), FilmError> {
-        let (mut whole, mut spreads) = (Extent::default(), Spreads::default());
+    ) -> Result<Passed, FilmError> {
+        let mut passed = Passed::default();
         let frames: Vec<usize> = (1..=count).collect();
         for some in frames.chunks(at_a_time.max(1)) {
             self.wait_for(some)?;
@@ -102,17 +135,19 @@ impl Reel<'_> {
             for (&frame, seen) in some.iter().zip(seen) {
                 match seen {
                     Ok((extent, of_frame)) => {
-                        whole.merge(&extent);
-                        spreads.merge(&of_frame);
+                        passed.extent.merge(&extent);
+                        passed.spreads.merge(&of_frame);
                     }
                     Err(FilmError::Disk(error)) if !matches!(error, DiskError::Io { .. }) => {
-                        return Ok((frame - 1, whole, spreads));
+                        passed.ended_by = Some(self.lost(frame, error));
+                        return Ok(passed);
                     }
                     Err(error) => return Err(error),
                 }
+                passed.frames = frame;
                 advance(frame);
             }
         }
-        Ok((frames.len(), whole, spreads))
+        Ok(passed)
     }
 }

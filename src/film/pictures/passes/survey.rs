@@ -5,7 +5,7 @@ use std::path::Path;
 use super::arrivals::Arrivals;
 use super::event::{Event, Watch};
 use super::memory::at_a_time;
-use super::reel::Reel;
+use super::reel::{Passed, Reel};
 use crate::film::error::FilmError;
 use crate::film::pictures::plan::Plan;
 use crate::film::pictures::quantities::Spreads;
@@ -36,14 +36,15 @@ pub(in crate::film::pictures) fn survey<'a>(
     let count = if depends_on_all { reel.film().manifest().frame_count } else { 1 };
     watch(Event::Begin("camera", count));
     let at_a_time = at_a_time(reel.frame_bytes());
-    let (ready, extent, spreads) = reel.pass(plan, &subject, count, at_a_time, |frame| watch(Event::Done(frame)))?;
-    match frames.iter().find(|&&frame| ready < count && frame > ready) {
-        Some(&frame) => Err(FilmError::NoSuchFrame { folder: folder.to_owned(), frame }),
-        None => Ok(Survey { reel, subject, extent, spreads }),
+    let passed = reel.pass(plan, &subject, count, at_a_time, |frame| watch(Event::Done(frame)))?;
+    let Passed { frames: ready, ended_by, extent, spreads } = passed;
+    match ended_by {
+        Some(error) if frames.iter().any(|&frame| frame > ready) => Err(error),
+        _ => Ok(Survey { reel, subject, extent, spreads }),
     }
 }
 
 /// What a file that shows the whole film says of itself.
-pub(in crate::film::pictures) fn metadata(plan: &Plan, survey: &Survey) -> Metadata {
-    Metadata { scene: plan.scene.name.clone(), scene_hash: survey.subject.scene_hash(), ..Metadata::default() }
+pub(in crate::film::pictures) fn metadata(plan: &Plan) -> Metadata {
+    Metadata { scene: plan.scene.name.clone(), ..Metadata::default() }
 }

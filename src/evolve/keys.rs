@@ -1,0 +1,202 @@
+//! What each frame of a film is made of, as a key: two films with the same key of a frame have the same frame, to the last bit.
+//!
+//! A frame's key is made of the key of the frame before and of all that the frame asks for: its time and the bits of
+//! lengths, bending angles and places of pins, then and at the times between. The first key is made of what all frames depend on:
+//! the mesh, the start, the class, the phases and constants, and [`ALGORITHM`].
+
+use super::course::Course;
+use super::error::EvolveError;
+use super::follow::parts_between;
+use super::pace::{Pace, Settling};
+use super::program::{AskedClass, Orientation, Program, Start};
+use super::relax::{Phase, TimeStep};
+use super::simulation::Simulation;
+use crate::digest::{Digest, Key};
+use crate::frames::Method;
+use crate::mesh::{Component, Mesh, Surface, VertexId};
+use crate::metric::Metric;
+use glam::DVec3;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+/// Counts the ways in which frames have been computed. Whoever changes results raises it, so that no film goes on with
+/// frames of another way; a test compares small films with what they were.
+pub const ALGORITHM: u32 = 1;
+
+impl Simulation {
+    /// The key of every frame of the film, in order, found without simulating. So this is also where a film is refused
+    /// that has no metric, bending angles or places for pins at the time of some frame.
+    ///
+    /// # Errors
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which there is none.
+    pub fn frame_keys(&mut self) -> Result<Vec<Key>, EvolveError> {
+        let (origin, clock, pace) = (self.origin(), *self.clock(), self.pace());
+        let mut ahead = LookAhead::new(self, pace);
+        let asked = clock.times().map(|time| ahead.asked_at(time)).collect::<Result<Vec<_>, _>>()?;
+        let mut key = origin;
+        if clock.is_looping() {
+            // The first frame of a loop comes after a lap, and so after all others.
+            let lap = asked.iter().fold(Digest::of("lap").key(origin), |digest, &asked| digest.key(asked));
+            key = lap.key(ahead.asked_at(clock.end())?).finish();
+        }
+        let chain = |asked: &Key| {
+            key = Digest::of("frame").key(key).key(*asked).finish();
+            key
+        };
+        Ok(asked.iter().map(chain).collect())
+    }
+}
+
+/// Goes through the times of a film as the simulation will.
+struct LookAhead<'a> {
+    course: &'a mut Course,
+    components: Vec<&'a Component>,
+    /// Where the metric is followed through times between those of frames.
+    settling: Option<Settling>,
+    before: Option<Before>,
+}
+
+/// What was asked for at the frame before.
+struct Before {
+    time: f64,
+    metric: Arc<Metric>,
+    pins: Vec<(VertexId, DVec3)>,
+}
+
+impl LookAhead<'_> {
+    fn new(simulation: &mut Simulation, pace: Pace) -> LookAhead<'_> {
+        let (course, components) = simulation.course_and_components();
+        let settling = if let Pace::Settle(settling) = pace { Some(settling) } else { None };
+        LookAhead { course, components, settling, before: None }
+    }
+
+    /// A key of what the frame at a time asks for, after the frame that was asked about before.
+    fn asked_at(&mut self, time: f64) -> Result<Key, EvolveError> {
+        let LookAhead { course, components, settling, before } = self;
+        if !course.changes() && before.is_some() {
+            return Ok(Digest::of("the same").finish());
+        }
+        let now = Before { time, metric: course.metric(time)?.metric.clone(), pins: course.pins().at(time)? };
+        let mut digest = Digest::of("asked");
+        if let (Some(settling), Some(before)) = (settling, before.as_ref()) {
+            let parts = |component: &&Component| now.parts_after(before, component, settling.max_strain());
+            for parts in components.iter().map(parts).collect::<BTreeSet<_>>() {
+                for part in 1..parts {
+                    let between = before.time + (time - before.time) * part as f64 / parts as f64;
+                    digest = add(digest, course, between)?;
+                }
+            }
+        }
+        digest = add(digest, course, time)?;
+        *before = Some(now);
+        Ok(digest.finish())
+    }
+}
+
+impl Before {
+    /// In how many parts a component gets here.
+    fn parts_after(&self, before: &Before, component: &Component, max_strain: f64) -> usize {
+        let lengths = [before, self].map(|at| component.edges.pick(at.metric.edge_lengths()));
+        let own = |pins: &[(VertexId, DVec3)]| -> Vec<(VertexId, DVec3)> {
+            pins.iter().copied().filter(|(v, _)| component.vertices.here(v.index()).is_some()).collect()
+        };
+        let pins = [before, self].map(|at| own(&at.pins));
+        parts_between(lengths.each_ref().map(Vec::as_slice), pins.each_ref().map(Vec::as_slice), max_strain)
+    }
+}
+
+/// All that is asked for at a time.
+fn add(digest: Digest, course: &mut Course, time: f64) -> Result<Digest, EvolveError> {
+    let changes = course.changes();
+    let asked = course.metric(time)?;
+    let digest = digest.numbers(asked.metric.edge_lengths().iter().copied()).perhaps(asked.curvature_error);
+    let pins = course.pins().at(time)?;
+    let digest =
+        digest.counts(pins.iter().map(|(v, _)| v.index())).numbers(pins.iter().flat_map(|(_, p)| p.to_array()));
+    let digest = digest.numbers(course.angles(time)?.into_iter().flatten());
+    // Where nothing changes with time, it is but a label.
+    Ok(if changes { digest.number(time) } else { digest })
+}
+
+/// A key of what all frames depend on.
+pub(super) fn origin_of(surface: &Surface, program: &Program) -> Key {
+    // Every field is named here, so that none is forgotten. What changes with time is asked for frame by frame.
+    let Program { metric: _, bending, pins: _, class, start, orientation, schedule, accuracy, is_smooth, clock, pace } =
+        program;
+    let Surface { mesh, positions, .. } = surface;
+    let digest = Digest::of("origin").count(ALGORITHM as usize);
+    let digest = add_mesh(digest, mesh, positions.as_deref());
+    let digest = match bending {
+        Some(bending) => digest.text("bent").counts(bending.is_asked().iter().map(|&asked| usize::from(asked))),
+        None => digest.text("flat"),
+    };
+    let digest = match class {
+        AskedClass::OfMesh => digest.text("of mesh"),
+        AskedClass::OfPositions => digest.text("of positions"),
+        AskedClass::Of(class) => digest.text("of").counts(class.digits().iter().map(|&q| usize::from(q))),
+        AskedClass::All => digest.text("all"),
+    };
+    let digest = match start {
+        Start::Random(seed) => digest.text("random").count(*seed as usize),
+        Start::Spectral => digest.text("spectral"),
+        Start::Shape { positions, is_mirrored } => {
+            digest.text("shape").count(usize::from(*is_mirrored)).numbers(positions.iter().flat_map(|p| p.to_array()))
+        }
+    };
+    let digest = digest.text(match orientation {
+        Orientation::Outward => "outward",
+        Orientation::AsItComes => "as it comes",
+    });
+    let digest = schedule.phases().iter().fold(digest.count(schedule.phases().len()), add_phase);
+    let digest = digest.perhaps(*accuracy).count(usize::from(*is_smooth)).count(usize::from(clock.is_looping()));
+    let digest = match pace {
+        Pace::EachClass => digest.text("each class"),
+        Pace::Steps(steps) => digest.text("steps").count(*steps),
+        Pace::Settle(settling) => digest
+            .text("settle")
+            .numbers([settling.tolerance_radians(), settling.max_strain()])
+            .count(settling.max_steps()),
+    };
+    digest.finish()
+}
+
+fn add_mesh(digest: Digest, mesh: &Mesh, positions: Option<&[DVec3]>) -> Digest {
+    digest
+        .count(mesh.vertex_count())
+        .counts(mesh.triangles().into_iter().flatten().map(|v| v as usize))
+        .numbers(positions.into_iter().flatten().flat_map(|p| p.to_array()))
+}
+
+fn add_phase(digest: Digest, phase: &Phase) -> Digest {
+    let Phase {
+        method,
+        stiffness,
+        dt,
+        turn_radians,
+        feedback,
+        periods,
+        crease,
+        accelerate,
+        tolerance_radians,
+        min_steps,
+        max_steps,
+        untangle_steps,
+        solver_tolerance,
+    } = *phase;
+    let method = match method {
+        Method::Implicit => "implicit",
+        Method::Gradient => "gradient",
+        Method::Newton => "newton",
+    };
+    let (unit, length) = match dt {
+        TimeStep::FaceAreas(areas) => ("face areas", areas),
+        TimeStep::ShareOfSurface(share) => ("share", share),
+    };
+    digest
+        .text(method)
+        .numbers(stiffness)
+        .text(unit)
+        .numbers([length, feedback, periods, crease, tolerance_radians, solver_tolerance])
+        .perhaps(turn_radians)
+        .counts([usize::from(accelerate), min_steps, max_steps, untangle_steps])
+}

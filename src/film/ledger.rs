@@ -1,0 +1,151 @@
+//! Which pictures of a film are made: `.immerse/pictures.jsonl` in its folder.
+//!
+//! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum. Lines are
+//! appended as files appear, and the last one of a file holds; a line that was cut counts for nothing, and its file is
+//! made again. In the end the lines are put in order, so that the file has the same bytes however often a run was interrupted.
+
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use serde::{Deserialize, Serialize};
+
+use super::error::FilmError;
+use crate::digest::Key;
+use crate::whole_file;
+
+/// The pictures of a film, of which several may be made at a time.
+#[derive(Debug)]
+pub(super) struct Ledger {
+    folder: PathBuf,
+    pages: Mutex<Pages>,
+}
+
+#[derive(Debug)]
+struct Pages {
+    entries: BTreeMap<String, Entry>,
+    /// Open once something was entered.
+    log: Option<File>,
+}
+
+/// What is known of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Entry {
+    /// Of all that it was made of.
+    pub key: Key,
+    /// Of the frames that it shows, without camera and look.
+    pub shows: Key,
+    /// Its checksum.
+    pub sha256: Key,
+}
+
+#[derive(Deserialize, Serialize)]
+struct Line<'a> {
+    file: std::borrow::Cow<'a, str>,
+    key: Key,
+    shows: Key,
+    sha256: Key,
+}
+
+/// Where it is in the folder of a film.
+pub(super) const LEDGER: &str = ".immerse/pictures.jsonl";
+
+impl Ledger {
+    /// Of the pictures in a folder; empty if there is none.
+    ///
+    /// # Errors
+    /// [`FilmError::Render`] if it is there and cannot be read.
+    pub fn open(folder: &Path) -> Result<Ledger, FilmError> {
+        let path = folder.join(LEDGER);
+        let bytes = match fs::read(&path) {
+            Ok(bytes) => bytes,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+            Err(error) => return Err(FilmError::read(&path, error)),
+        };
+        let whole_lines = bytes.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
+        let lines = whole_lines.filter_map(|line| serde_json::from_slice::<Line>(line).ok());
+        let entries =
+            lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect();
+        Ok(Ledger { folder: folder.to_owned(), pages: Mutex::new(Pages { entries, log: None }) })
+    }
+
+    /// The bytes of a file that was made of what has this key, if it is there and whole.
+    pub fn fresh(&self, file: &str, key: Key) -> Option<Vec<u8>> {
+        let entry = self.entry(file).filter(|entry| entry.key == key)?;
+        let bytes = fs::read(self.folder.join(file)).ok()?;
+        (Key::of_bytes(&bytes) == entry.sha256).then_some(bytes)
+    }
+
+    /// What is known of a file.
+    pub fn entry(&self, file: &str) -> Option<Entry> {
+        self.pages().entries.get(file).copied()
+    }
+
+    /// Enters a file that has just been made.
+    ///
+    /// # Errors
+    /// [`FilmError::Render`] if the file or the ledger cannot be read or written.
+    pub fn enter(&self, file: &str, key: Key, shows: Key) -> Result<(), FilmError> {
+        let made = self.folder.join(file);
+        let sha256 = Key::of_bytes(&fs::read(&made).map_err(|error| FilmError::read(&made, error))?);
+        let path = self.folder.join(LEDGER);
+        let mut pages = self.pages();
+        let written = pages.append(&path, &Line { file: file.into(), key, shows, sha256 });
+        written.map_err(|error| FilmError::write(&path, error))?;
+        pages.entries.insert(file.to_owned(), Entry { key, shows, sha256 });
+        Ok(())
+    }
+
+    /// Puts the entries in order and leaves out those of files that are gone. Without any there is no ledger.
+    ///
+    /// # Errors
+    /// [`FilmError::Render`] if the ledger cannot be written.
+    pub fn close(self) -> Result<(), FilmError> {
+        let Ledger { folder, pages } = self;
+        let Pages { mut entries, log } = pages.into_inner().unwrap_or_else(PoisonError::into_inner);
+        drop(log);
+        entries.retain(|file, _| folder.join(file).is_file());
+        let path = folder.join(LEDGER);
+        let mut bytes = Vec::new();
+        for (file, &Entry { key, shows, sha256 }) in &entries {
+            let line = Line { file: file.into(), key, shows, sha256 };
+            let line = serde_json::to_vec(&line).map_err(|error| FilmError::write(&path, error))?;
+            bytes.extend(line);
+            bytes.push(b'\n');
+        }
+        let there = fs::read(&path).ok();
+        let written = match there {
+            Some(there) if there == bytes && !bytes.is_empty() => Ok(()),
+            None if bytes.is_empty() => Ok(()),
+            Some(_) if bytes.is_empty() => fs::remove_file(&path),
+            _ => whole_file::write(&path, &bytes),
+        };
+        written.map_err(|error| FilmError::write(&path, error))
+    }
+
+    fn pages(&self) -> std::sync::MutexGuard<'_, Pages> {
+        self.pages.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Pages {
+    fn append(&mut self, path: &Path, line: &Line) -> io::Result<()> {
+        let log = match &mut self.log {
+            Some(log) => log,
+            None => {
+                path.parent().map_or(Ok(()), fs::create_dir_all)?;
+                let mut log = OpenOptions::new().append(true).create(true).open(path)?;
+                // What a crash has cut must not run into what follows.
+                if log.metadata()?.len() > 0 {
+                    log.write_all(b"\n")?;
+                }
+                self.log.insert(log)
+            }
+        };
+        let mut bytes = serde_json::to_vec(line)?;
+        bytes.push(b'\n');
+        log.write_all(&bytes)
+    }
+}

@@ -1,0 +1,57 @@
+//! What identifies what a scene asks of a simulation: a key of every section that decides it, with the files it names.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::data::{BendingFrom, ChangeKind, LengthSource, Scene, StartFrom};
+use crate::digest::{Digest, Key};
+
+impl Scene {
+    /// A path of the scene, seen from the working folder.
+    pub fn resolve(&self, path: &Path) -> PathBuf {
+        self.folder.join(path)
+    }
+
+    /// A key of each section that decides positions, by its name: of what it says and of the bytes of the files it names.
+    /// Comments, camera, lights, look, output and checks do not count. A file that cannot be read counts as empty; the
+    /// section that wants it says so. Where all keys are as they were, so are the frames; where one is not, frames may be
+    /// the same all the same, see [`Simulation::frame_keys`](crate::Simulation::frame_keys).
+    pub fn section_keys(&self) -> BTreeMap<String, Key> {
+        let cones = self.metric.changes.iter().filter_map(|change| match &change.kind {
+            ChangeKind::Ricci(ricci) => ricci.csv.as_ref(),
+            ChangeKind::Conformal { .. } => None,
+        });
+        let keys = self.metric.keys.iter().map(|key| &key.lengths);
+        let lengths = std::iter::once(&self.metric.lengths).chain(keys).filter_map(|source| match source {
+            LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
+            _ => None,
+        });
+        let start = if let StartFrom::File(path) = &self.start.from { Some(path) } else { None };
+        let bending = self.bending.as_ref().and_then(|bending| match &bending.from {
+            Some(BendingFrom::File(path)) => Some(path),
+            _ => None,
+        });
+        let sections = [
+            ("mesh", self.with_files(Digest::of("mesh").shown(&self.mesh).shown(&self.weld), self.mesh.file())),
+            ("parameters", Digest::of("parameters").shown(&self.parameters)),
+            ("metric", self.with_files(Digest::of("metric").shown(&self.metric), lengths.chain(cones))),
+            ("spin", Digest::of("spin").shown(&self.spin)),
+            ("start", self.with_files(Digest::of("start").shown(&self.start), start)),
+            ("phase", Digest::of("phase").shown(&self.phases)),
+            ("bending", self.with_files(Digest::of("bending").shown(&self.bending).shown(&self.relaxation), bending)),
+            ("pin", Digest::of("pin").shown(&self.pins)),
+            ("clock", Digest::of("clock").shown(&self.clock)),
+        ];
+        sections.into_iter().map(|(name, digest)| (name.to_owned(), digest.finish())).collect()
+    }
+
+    fn with_files<'a>(&self, digest: Digest, files: impl IntoIterator<Item = &'a PathBuf>) -> Digest {
+        let of_file = |path: &PathBuf| {
+            let path = self.resolve(path);
+            // Whoever reads a device or a pipe reads for ever.
+            let bytes = if path.is_file() { std::fs::read(path).unwrap_or_default() } else { Vec::new() };
+            Key::of_bytes(&bytes)
+        };
+        files.into_iter().map(of_file).fold(digest, Digest::key)
+    }
+}
