@@ -237,6 +237,7 @@ pub(super) fn render_frames(
     frames: &[usize],
     progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
+    Plan::of(scene)?;
     is_of_scene(scene, folder)?;
     Ok(film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?.into())
 }

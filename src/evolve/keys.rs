@@ -10,11 +10,11 @@ use super::follow::parts_between;
 use super::pace::{Pace, Settling};
 use super::program::{AskedClass, Orientation, Program, Start};
 use super::relax::{Phase, TimeStep};
-use super::simulation::Simulation;
 use crate::digest::{Digest, Key};
 use crate::frames::Method;
 use crate::mesh::{Component, Mesh, Surface, VertexId};
 use crate::metric::Metric;
+use crate::timeline::Clock;
 use glam::DVec3;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -23,32 +23,24 @@ use std::sync::Arc;
 /// frames of another way; a test compares small films with what they were.
 pub const ALGORITHM: u32 = 1;
 
-impl Simulation {
-    /// The key of every frame of the film, in order, found without simulating. So this is also where a film is refused
-    /// that has no metric, bending angles or places for pins at the time of some frame.
-    ///
-    /// # Errors
-    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which there is none.
-    pub fn frame_keys(&mut self) -> Result<Vec<Key>, EvolveError> {
-        let (origin, clock, pace) = (self.origin(), *self.clock(), self.pace());
-        let mut ahead = LookAhead::new(self, pace);
-        let asked = clock.times().map(|time| ahead.asked_at(time)).collect::<Result<Vec<_>, _>>()?;
-        let mut key = origin;
-        if clock.is_looping() {
-            // The first frame of a loop comes after a lap, and so after all others.
-            let lap = asked.iter().fold(Digest::of("lap").key(origin), |digest, &asked| digest.key(asked));
-            key = lap.key(ahead.asked_at(clock.end())?).finish();
-        }
-        let chain = |asked: &Key| {
-            key = Digest::of("frame").key(key).key(*asked).finish();
-            key
-        };
-        Ok(asked.iter().map(chain).collect())
+/// The key of every frame of a film, in order; `origin` stands for what they all depend on.
+pub(super) fn keys_of(origin: Key, clock: &Clock, ahead: &mut LookAhead) -> Result<Vec<Key>, EvolveError> {
+    let asked = clock.times().map(|time| ahead.asked_at(time)).collect::<Result<Vec<_>, _>>()?;
+    let mut key = origin;
+    if clock.is_looping() {
+        // The first frame of a loop comes after a lap, and so after all others.
+        let lap = asked.iter().fold(Digest::of("lap").key(origin), |digest, &asked| digest.key(asked));
+        key = lap.key(ahead.asked_at(clock.end())?).finish();
     }
+    let chain = |asked: &Key| {
+        key = Digest::of("frame").key(key).key(*asked).finish();
+        key
+    };
+    Ok(asked.iter().map(chain).collect())
 }
 
 /// Goes through the times of a film as the simulation will.
-struct LookAhead<'a> {
+pub(super) struct LookAhead<'a> {
     course: &'a mut Course,
     components: Vec<&'a Component>,
     /// Where the metric is followed through times between those of frames.
@@ -63,9 +55,8 @@ struct Before {
     pins: Vec<(VertexId, DVec3)>,
 }
 
-impl LookAhead<'_> {
-    fn new(simulation: &mut Simulation, pace: Pace) -> LookAhead<'_> {
-        let (course, components) = simulation.course_and_components();
+impl<'a> LookAhead<'a> {
+    pub fn new(course: &'a mut Course, components: Vec<&'a Component>, pace: Pace) -> LookAhead<'a> {
         let settling = if let Pace::Settle(settling) = pace { Some(settling) } else { None };
         LookAhead { course, components, settling, before: None }
     }

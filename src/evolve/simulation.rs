@@ -4,7 +4,7 @@ use super::contradictions::contradictions;
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
-use super::keys::origin_of;
+use super::keys::{LookAhead, keys_of, origin_of};
 use super::pace::Pace;
 use super::placement::{middle, next_in_row};
 use super::program::Program;
@@ -256,20 +256,14 @@ impl Simulation {
         &self.clock
     }
 
-    /// What happens between two frames.
-    pub(super) fn pace(&self) -> Pace {
-        self.pace
-    }
-
-    /// Stands for what all frames depend on.
-    pub(super) fn origin(&self) -> Key {
-        self.origin
-    }
-
-    /// What is asked for over time, and of whom.
-    pub(super) fn course_and_components(&mut self) -> (&mut Course, Vec<&Component>) {
+    /// The key of every frame of the film, in order, found without simulating. So this is also where a film is refused
+    /// that has no metric, bending angles or places for pins at the time of some frame.
+    ///
+    /// # Errors
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which there is none.
+    pub fn frame_keys(&mut self) -> Result<Vec<Key>, EvolveError> {
         let components = self.components.iter().map(|relaxation| relaxation.state().component()).collect();
-        (&mut self.course, components)
+        keys_of(self.origin, &self.clock, &mut LookAhead::new(&mut self.course, components, self.pace))
     }
 
     /// The number of the last frame that was made or gone on after; 0 before the first.

@@ -1,3 +1,4 @@
+mod algorithm;
 mod components;
 mod front_door;
 mod invariance;

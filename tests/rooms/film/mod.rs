@@ -1,2 +1,3 @@
 mod disk;
 mod pictures;
+mod renderer;
