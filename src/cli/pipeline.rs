@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::failure::PipelineError;
 use super::progress::Stages;
-use super::set_up::{SetUp, at_fault, contradictions};
+use super::set_up::{SetUp, at_fault, contradictions, look_ahead};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
 use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Plan};
@@ -73,11 +73,11 @@ fn simulate_for(
     progress: &mut dyn Stages,
 ) -> Result<Summary, PipelineError> {
     progress.begin("set up", None);
-    let set_up = SetUp::of(scene)?;
+    let mut set_up = SetUp::of(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
+    look_ahead(scene, &mut set_up.simulation)?; // nor for a film that would end half way
     set_up.notes.iter().for_each(|note| progress.note(note));
-    // A time without a metric is told when its frame is made.
-    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
+    contradictions(scene, &set_up.simulation)?.iter().for_each(|warning| progress.note(warning));
     let (spec, mesh) = (FilmSpec::of(scene), set_up.film_mesh(scene));
     let mut simulation = set_up.simulation;
     let film = if restart {

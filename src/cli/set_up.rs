@@ -60,6 +60,12 @@ pub(super) fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
     }
 }
 
+/// Finds in a moment what a simulation would end with half way: times at which there is no metric, no place for a pin, or
+/// no way from one frame to the next.
+pub(super) fn look_ahead(scene: &Scene, simulation: &mut Simulation) -> Result<(), PipelineError> {
+    simulation.check_all_times().map_err(|error| at_fault(scene, error))
+}
+
 /// Warnings about pins that no surface with these lengths can keep.
 pub(super) fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
     let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;

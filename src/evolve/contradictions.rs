@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::error::EvolveError;
+use super::look_ahead::frames_to_look_at;
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::shortest_paths;
 use crate::text::four_digits;
@@ -42,7 +43,8 @@ pub(super) fn contradictions(mesh: &Mesh, course: &Course, clock: &Clock) -> Res
     let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
     let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
     let is_still = !program.changes() && !pins.changes();
-    for time in clock.times().take(if is_still { 1 } else { usize::MAX }) {
+    let frames = if is_still { 1 } else { clock.frames() };
+    for time in frames_to_look_at(frames, mesh.face_count()).map(|frame| clock.time(frame)) {
         let (lengths, paths) = match known.take() {
             Some(known) if !program.changes() => known,
             _ => {

@@ -7,6 +7,7 @@ mod error;
 mod follow;
 mod frame;
 mod immersion;
+mod look_ahead;
 mod pace;
 mod placement;
 mod program;
@@ -16,7 +17,7 @@ mod report;
 mod simulation;
 mod state;
 
-pub use error::{EvolveError, ResumeError, SetupError};
+pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
 pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use pace::{Pace, PaceError, Settling};

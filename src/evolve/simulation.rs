@@ -4,6 +4,7 @@ use super::contradictions::contradictions;
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
+use super::look_ahead::look_ahead;
 use super::pace::Pace;
 use super::placement::{middle, next_in_row};
 use super::program::Program;
@@ -12,7 +13,7 @@ use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
 use crate::algebra::Complex;
 use crate::immersion::spin_of_immersion;
-use crate::mesh::{Component, Mesh, Surface, VertexId};
+use crate::mesh::{Component, Mesh, Surface, VertexId, first_out_of_reach};
 use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
 use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
@@ -64,6 +65,9 @@ impl Simulation {
         let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
         if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
             return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
+        }
+        if let Some((index, place)) = start.positions().and_then(first_out_of_reach) {
+            return Err(SetupError::StartPlace { vertex: mesh.file_vertex(VertexId::new(index)), place });
         }
         let mesh = Arc::new(mesh);
         let time = clock.time(1);
@@ -144,7 +148,7 @@ impl Simulation {
         }
         self.frame += 1;
         self.take_metric(time)?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Relaxes the frames at the present time through all phases that are left, and integrates the surface.
@@ -154,7 +158,7 @@ impl Simulation {
     pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.relax(observer))?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Takes so many steps of the relaxation at the present time, or fewer until all phases are done, and integrates the
@@ -165,7 +169,7 @@ impl Simulation {
     pub fn advance(&mut self, steps: usize, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.advance(steps, observer))?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Goes on after a frame of an earlier run of the same program, to the same bits.
@@ -198,13 +202,17 @@ impl Simulation {
         Ok(())
     }
 
-    /// Whether the program gives a metric, bending angles and places for pins at the times of all frames, found without
-    /// simulating.
+    /// Whether the program gives a metric, bending angles and places for pins at the times of all frames, and no more
+    /// change from one to the next than a film can follow, found without simulating. Of films that are very long on
+    /// surfaces that are very large only some frames are looked at.
     ///
     /// # Errors
-    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which it does not.
+    /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`], [`EvolveError::TooFar`] at the first time
+    /// at which it does not.
     pub fn check_all_times(&mut self) -> Result<(), EvolveError> {
-        self.clock.times().try_for_each(|time| self.course.check(time))
+        let Simulation { mesh, course, clock, pace, components, .. } = self;
+        let components: Vec<&Component> = components.iter().map(|part| part.state().component()).collect();
+        look_ahead(course, clock, *pace, &components, mesh.face_count())
     }
 
     /// Sentences about pins that no surface with the lengths of the metric can keep, at the time of any frame. Surfaces are
@@ -336,7 +344,10 @@ impl Simulation {
     }
 
     /// The frame as it is now; the work on it began at a time of the wall clock.
-    fn frame_since(&mut self, begin: Instant) -> Arc<Frame> {
+    ///
+    /// # Errors
+    /// [`EvolveError::Unfit`] if it could not be read again: some number is not finite.
+    fn frame_since(&mut self, begin: Instant) -> Result<Arc<Frame>, EvolveError> {
         let positions = self.placed();
         let Simulation { mesh, metric, homology, components, .. } = self;
         let (rims, mut report) = measure(mesh, metric, homology, components, &positions);
@@ -357,9 +368,10 @@ impl Simulation {
             compare(&self.mesh, previous, &mut frame);
         }
         frame.report.seconds = begin.elapsed().as_secs_f64();
+        frame.fits(&self.mesh).map_err(|fault| EvolveError::Unfit { time: frame.report.time, fault })?;
         let frame = Arc::new(frame);
         self.previous = Some(frame.clone());
-        frame
+        Ok(frame)
     }
 
     /// The positions of the whole surface, |V|. Of several components those that are laid upon nothing stand where the

@@ -10,4 +10,5 @@ mod resume;
 mod schedule;
 mod smoothness;
 mod threads;
+mod trouble;
 mod work_counts;
