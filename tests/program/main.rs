@@ -15,6 +15,7 @@ mod command_line;
 mod curves;
 mod frame_range;
 mod frame_rates;
+mod hostile;
 mod interrupted;
 mod leftovers;
 mod overlap;
