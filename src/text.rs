@@ -68,6 +68,15 @@ fn with_unix_lines(text: Cow<'_, str>) -> Cow<'_, str> {
     if text.contains('\r') { text.replace("\r\n", "\n").replace('\r', "\n").into() } else { text }
 }
 
+/// A text as far as a message shows it.
+pub fn clipped(text: &str) -> Cow<'_, str> {
+    const SHOWN: usize = 80;
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}…", &text[..end]).into(),
+        None => text.into(),
+    }
+}
+
 /// Four significant digits, without zeros at the end.
 pub fn four_digits(x: f64) -> String {
     if x == 0.0 {

@@ -61,6 +61,17 @@ pub const ACCELERATION_REGULARIZATION: f64 = 1e-8;
 /// Steps at a metric that a film only passes on its way to the time of a frame; it has to settle there only.
 pub const STEPS_ON_THE_WAY: usize = 3;
 
+/// Parts that the way from one frame to the next may have. At 5 % each they double all lengths a hundred times over, or
+/// lead a pin across a surface of a million faces; what takes more is a mistake, and would not end.
+pub const MOST_PARTS_OF_A_FRAME: usize = 1000;
+
+/// How often the parts of the way to a frame are halved when a step fails, before the film is given up.
+pub const HALVINGS_OF_A_PART: usize = 3;
+
+/// Faces times frames up to which a film is looked ahead at frame by frame, some seconds' work; of a longer one frames
+/// are taken evenly from all of it.
+pub const LOOK_AHEAD: usize = 20_000_000;
+
 /// Steps between the frames of a film of the relaxation that does not say how many.
 pub const STEPS_PER_FRAME: usize = 2;
 

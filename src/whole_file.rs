@@ -1,6 +1,9 @@
-//! Files that appear whole or not at all: they are written under a temporary name beside their own, and then renamed.
+//! Files that are read and written whole. What is written appears whole or not at all: under a temporary name beside its
+//! own, which is then renamed. What is read is a regular file of a size that has a limit, and never a device or a pipe,
+//! which may have no end.
 
-use std::io::{self, Write};
+use std::fs::{File, FileType};
+use std::io::{self, Read, Write};
 use std::path::Path;
 
 use tempfile::NamedTempFile;
@@ -27,7 +30,7 @@ pub(crate) fn publish(file: NamedTempFile, path: &Path) -> io::Result<()> {
     file.persist(path).map_err(|error| error.error)?;
     // The rename itself lasts only once the folder is on disk.
     #[cfg(unix)]
-    std::fs::File::open(folder_of(path))?.sync_all()?;
+    File::open(folder_of(path))?.sync_all()?;
     Ok(())
 }
 
@@ -39,6 +42,58 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut file = begin(path)?;
     file.write_all(bytes)?;
     publish(file, path)
+}
+
+/// Why a file cannot be read whole.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum ReadError {
+    /// What the system says.
+    #[error("{0}")]
+    Io(#[from] io::Error),
+    /// There is something of this name that is no file.
+    #[error("it is {0}, not a file")]
+    NoFile(&'static str),
+    /// It has more bytes than are taken.
+    #[error("it is larger than {} MiB", most >> 20)]
+    TooLarge { most: u64 },
+}
+
+/// All bytes of a regular file, or of one that a link leads to, if they are not more than `most`.
+///
+/// # Errors
+/// [`ReadError`], found before anything is read.
+pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, ReadError> {
+    // Before it is opened: a pipe that nobody writes to would not open.
+    let what = std::fs::metadata(path)?;
+    if !what.is_file() {
+        return Err(ReadError::NoFile(kind(what.file_type())));
+    }
+    let too_large = ReadError::TooLarge { most };
+    if what.len() > most {
+        return Err(too_large);
+    }
+    let mut bytes = Vec::new();
+    // It may grow meanwhile.
+    File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most { Err(too_large) } else { Ok(bytes) }
+}
+
+/// What is no regular file, in words.
+fn kind(of: FileType) -> &'static str {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        if of.is_fifo() {
+            return "a pipe";
+        }
+        if of.is_socket() {
+            return "a socket";
+        }
+        if of.is_char_device() || of.is_block_device() {
+            return "a device";
+        }
+    }
+    if of.is_dir() { "a folder" } else { "something else" }
 }
 
 fn folder_of(path: &Path) -> &Path {

@@ -3,7 +3,7 @@
 use super::diagnostics::say;
 use super::failure::PipelineError;
 use super::selections::selection_notes;
-use super::set_up::{SetUp, at_fault, contradictions};
+use super::set_up::{SetUp, contradictions, frame_keys};
 use crate::evolve::Simulation;
 use crate::film::Plan;
 use crate::mesh::{longest_loops, outer_loops};
@@ -13,7 +13,7 @@ use crate::spin::{Class, SpinError};
 /// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
 pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
     let SetUp { mut simulation, places, notes: of_mesh } = SetUp::of(scene)?;
-    simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
+    frame_keys(scene, &mut simulation)?;
     contradictions(scene, &simulation)?.iter().for_each(say);
     let plan = Plan::of(scene)?;
     let [width, height] = plan.size();

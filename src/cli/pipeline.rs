@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use super::failure::PipelineError;
 use super::progress::Stages;
-use super::set_up::{SetUp, at_fault, contradictions};
+use super::set_up::{SetUp, at_fault, contradictions, frame_keys};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
 use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Pictured, Plan};
@@ -109,7 +109,7 @@ fn begin(
     progress: &mut dyn Stages,
 ) -> Result<(FilmFolder, SetUp), PipelineError> {
     let mut set_up = set_up(scene, progress)?;
-    let keys = set_up.simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
+    let keys = frame_keys(scene, &mut set_up.simulation)?;
     if restart {
         film::clear_film(folder)?;
     }
@@ -223,7 +223,7 @@ fn is_of_scene(scene: &Scene, folder: &Path) -> Result<(), PipelineError> {
     FilmFolder::open(folder)?;
     if FilmFolder::open_unchanged(folder, scene)?.is_none() {
         let mut set_up = SetUp::of(scene)?;
-        let keys = set_up.simulation.frame_keys().map_err(|error| at_fault(scene, error))?;
+        let keys = frame_keys(scene, &mut set_up.simulation)?;
         let (film, _) = FilmFolder::open_or_create(folder, &FilmSpec::of(scene, keys), &set_up.film_mesh(scene))?;
         sorted_out(&film, &set_up)?;
     }

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::failure::PipelineError;
+use crate::digest::Key;
 use crate::evolve::{EvolveError, Simulation};
 use crate::film::FilmMesh;
 use crate::mesh::shapes::Shape;
@@ -58,6 +59,12 @@ pub(super) fn at_fault(scene: &Scene, error: EvolveError) -> PipelineError {
         Some(mistake) => mistake.into(),
         None => error.into(),
     }
+}
+
+/// The keys of all frames. Finds what a simulation would end with half way: times at which there is no metric, no place for
+/// a pin, or no way from one frame to the next.
+pub(super) fn frame_keys(scene: &Scene, simulation: &mut Simulation) -> Result<Vec<Key>, PipelineError> {
+    simulation.frame_keys().map_err(|error| at_fault(scene, error))
 }
 
 /// Warnings about pins that no surface with these lengths can keep.

@@ -6,7 +6,7 @@ use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::shortest_paths;
 use crate::text::four_digits;
 use crate::timeline::Clock;
-use crate::tuning::{PINNED_LENGTH_TOLERANCE, PINNED_PATH_SOURCES};
+use crate::tuning::{LOOK_AHEAD, PINNED_LENGTH_TOLERANCE, PINNED_PATH_SOURCES};
 use glam::DVec3;
 
 /// What pins and metric disagree about at a time.
@@ -42,7 +42,8 @@ pub(super) fn contradictions(mesh: &Mesh, course: &Course, clock: &Clock) -> Res
     let mut known: Option<(Vec<f64>, Vec<Vec<f64>>)> = None;
     let (mut worst_edge, mut worst_path): (Option<Contradiction>, Option<Contradiction>) = (None, None);
     let is_still = !program.changes() && !pins.changes();
-    for time in clock.times().take(if is_still { 1 } else { usize::MAX }) {
+    let frames = if is_still { 1 } else { clock.frames() };
+    for time in frames_to_look_at(frames, mesh.face_count()).map(|frame| clock.time(frame)) {
         let (lengths, paths) = match known.take() {
             Some(known) if !program.changes() => known,
             _ => {
@@ -127,4 +128,11 @@ impl Contradiction {
             ),
         }
     }
+}
+
+/// The numbers of the frames that are looked at, of a film of so many on a surface with so many faces: all of them, or
+/// as many as are seen in a moment, evenly, with the first and the last.
+fn frames_to_look_at(frames: usize, faces: usize) -> impl Iterator<Item = usize> {
+    let stride = frames.div_ceil((LOOK_AHEAD / faces.max(1)).max(1)).max(1);
+    (1..frames).step_by(stride).chain([frames])
 }

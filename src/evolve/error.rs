@@ -6,9 +6,10 @@ use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;
 use crate::immersion::{NoAngle, PinError};
-use crate::mesh::SurfaceError;
+use crate::mesh::{LARGEST_COORDINATE, SurfaceError};
 use crate::metric::NoMetric;
 use crate::spin::{Class, SpinError};
+use std::fmt;
 
 /// What to do about a Poisson problem that cannot be factorized.
 const EVEN_OUT: &str = "even out the edge lengths, the weights differ by too many orders of magnitude";
@@ -39,6 +40,14 @@ pub enum SetupError {
         /// Number of vertices.
         vertices: usize,
     },
+    /// The shape that frames start from is out of reach.
+    #[error("the frames are to start with vertex {vertex} at {place:?}; {}", self.remedy())]
+    StartPlace {
+        /// Its number in the mesh file.
+        vertex: usize,
+        /// Not finite, or too far away to compute with.
+        place: [f64; 3],
+    },
     /// Target bending angles of another mesh.
     #[error(transparent)]
     Shell(#[from] ShellError),
@@ -65,6 +74,11 @@ impl Advice for SetupError {
             SetupError::Bending(error) => error.remedy(),
             SetupError::Surface(error) => error.remedy(),
             SetupError::StartCount { .. } => "give one position per vertex".into(),
+            SetupError::StartPlace { .. } => {
+                format!(
+                    "coordinates must be finite and at most {LARGEST_COORDINATE:e}, correct them or use another unit"
+                )
+            }
             SetupError::Shell(error) => error.remedy(),
             SetupError::Poisson(_) => EVEN_OUT.into(),
         }
@@ -114,6 +128,31 @@ impl Advice for ResumeError {
     }
 }
 
+/// What changes more between two frames than a film can follow. Vertices are those of the mesh file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // the fields are what the messages say they are
+pub enum FarMove {
+    /// An edge, by this factor.
+    Edge { ends: [u32; 2], factor: f64 },
+    /// A pinned vertex.
+    Pin { vertex: usize, distance: f64, mean_length: f64 },
+}
+
+impl fmt::Display for FarMove {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FarMove::Edge { ends, factor } => {
+                write!(f, "the edge between vertices {ends:?} changes its length by the factor {factor:.3e}")
+            }
+            FarMove::Pin { vertex, distance, mean_length } => write!(
+                f,
+                "pinned vertex {vertex} is led {distance:.3e} away from where it was at the frame before, and edges are \
+                 {mean_length:.3e} long on average"
+            ),
+        }
+    }
+}
+
 /// Why a running simulation ended without a frame.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EvolveError {
@@ -124,8 +163,15 @@ pub enum EvolveError {
         steps: usize,
     },
     /// Frames became NaN.
-    #[error("frames are no longer finite after {steps} steps of phase {phase}; {}", self.remedy())]
+    #[error(
+        "at time {time} the frame of face {face} is no longer finite after {steps} steps, in phase {phase}; {}",
+        self.remedy()
+    )]
     Diverged {
+        /// When.
+        time: f64,
+        /// The first face whose frame is not finite, by its number in the mesh file.
+        face: usize,
         /// Steps taken.
         steps: usize,
         /// Phase, from 0.
@@ -154,6 +200,29 @@ pub enum EvolveError {
         /// Why.
         error: CholeskyError,
     },
+    /// A frame of the film holds numbers that cannot be kept.
+    #[error("at time {time} {}; {}", fault.reason(), self.remedy())]
+    Unfit {
+        /// When.
+        time: f64,
+        /// What is wrong with it.
+        fault: UnfitFrame,
+    },
+    /// The way from one frame to the next would take more parts than a film can wait for.
+    #[error(
+        "on the way to time {time} {what}, so that it would take {parts:.0} parts, and {most} are the limit; {}",
+        self.remedy()
+    )]
+    TooFar {
+        /// Of the frame that is to be made.
+        time: f64,
+        /// How many parts it would take.
+        parts: f64,
+        /// How many there may be.
+        most: usize,
+        /// What goes so far.
+        what: FarMove,
+    },
     /// A vertex star became figure-8.
     #[error("at time {time} rounding has changed the spin structure at vertex {vertex}; {}", self.remedy())]
     StarChanged {
@@ -175,6 +244,17 @@ pub enum EvolveError {
 }
 
 impl EvolveError {
+    /// Whether a shorter way to the same place may not meet this.
+    pub(super) fn is_of_step(&self) -> bool {
+        matches!(
+            self,
+            EvolveError::Diverged { .. }
+                | EvolveError::StarChanged { .. }
+                | EvolveError::ClassChanged { .. }
+                | EvolveError::Poisson { .. }
+        )
+    }
+
     /// At a time.
     pub(super) fn of_discretization(time: f64) -> impl FnOnce(DiscretizationError) -> EvolveError {
         move |error| match error {
@@ -188,7 +268,14 @@ impl Advice for EvolveError {
     fn remedy(&self) -> String {
         match self {
             EvolveError::Stopped { .. } => "run again to resume at the last finished frame".into(),
-            EvolveError::Diverged { .. } => "lower `dt` of that phase".into(),
+            EvolveError::Diverged { .. } => "lower `dt` of that phase, or give the film more frames".into(),
+            EvolveError::Unfit { .. } => "lower `dt` of the last phase, or use another unit of length".into(),
+            EvolveError::TooFar { what: FarMove::Pin { .. }, .. } => {
+                "give the film more `frames`, or lead the pin more slowly".into()
+            }
+            EvolveError::TooFar { what: FarMove::Edge { .. }, .. } => {
+                "give the film more `frames`, or raise `max_strain` of the clock".into()
+            }
             EvolveError::Spin(error) => error.remedy(),
             EvolveError::Metric(error) => error.remedy(),
             EvolveError::Pin(error) => error.remedy(),

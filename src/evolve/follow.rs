@@ -1,18 +1,21 @@
 //! From one frame to the next: the metric moves on, and the class does not (App. B.2).
 
 use super::course::Course;
-use super::error::EvolveError;
+use super::error::{EvolveError, FarMove};
 use super::pace::Settling;
 use super::progress::Observer;
 use super::relax::Relaxation;
-use super::state::State;
-use crate::mesh::VertexId;
+use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::{Metric, largest_strain};
 use crate::timeline::Clock;
+use crate::tuning::{HALVINGS_OF_A_PART, MOST_PARTS_OF_A_FRAME};
 use glam::DVec3;
+use std::sync::Arc;
 
 impl Relaxation {
-    /// Follows metric, bending and pins to a time, in parts none of which strains the component much.
+    /// Follows metric, bending and pins to a time, in parts none of which strains the component much. Where a step
+    /// fails, though there is a metric, it goes back and takes the way in parts of half the length, a few times. If that
+    /// does not help it is where it was before.
     pub(super) fn follow(
         &mut self,
         course: &mut Course,
@@ -21,14 +24,45 @@ impl Relaxation {
         observer: &mut dyn Observer,
     ) -> Result<(), EvolveError> {
         let there = course.metric_of(self.state().component(), time)?;
-        let parts = parts_to(self.state(), course, time, &there, settling.max_strain())?;
+        let pins = course.pins_of(self.state().component(), time)?;
+        let state = self.state();
+        let here = Station { metric: state.metric(), pins: state.pins() };
+        let parts = here.parts_to(&Station { metric: &there, pins: &pins }, state.mesh(), time, settling)?;
+        let before = self.mark();
+        let first = match self.go(course, time, &there, parts, settling, observer) {
+            Err(error) if error.is_of_step() => error,
+            outcome => return outcome,
+        };
+        for halvings in 1..=HALVINGS_OF_A_PART {
+            self.go_back(course, &before)?;
+            match self.go(course, time, &there, parts << halvings, settling, observer) {
+                Err(EvolveError::Stopped { steps }) => return Err(EvolveError::Stopped { steps }),
+                Err(_) => {}
+                Ok(()) => return Ok(()),
+            }
+        }
+        self.go_back(course, &before)?;
+        Err(first)
+    }
+
+    /// As [`Relaxation::follow`], in so many parts.
+    fn go(
+        &mut self,
+        course: &mut Course,
+        time: f64,
+        there: &Arc<Metric>,
+        parts: usize,
+        settling: &Settling,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
         let from = self.state().time();
         for part in 1..parts {
             self.state_mut().move_to(course, from + (time - from) * part as f64 / parts as f64)?;
             self.pass(settling, observer)?;
         }
-        self.state_mut().take_on(course, time, there)?;
-        self.settle(settling, observer)
+        self.state_mut().take_on(course, time, there.clone())?;
+        self.settle(settling, observer)?;
+        self.state().verify_class()
     }
 
     /// Once around a loop, so that its first frame is what the last one leads to.
@@ -47,17 +81,36 @@ impl Relaxation {
     }
 }
 
-/// How many parts the way to the metric of a time is to be cut into.
-fn parts_to(state: &State, course: &Course, time: f64, there: &Metric, max_strain: f64) -> Result<usize, EvolveError> {
-    let lengths = [state.metric().edge_lengths(), there.edge_lengths()];
-    Ok(parts_between(lengths, [state.pins(), &course.pins_of(state.component(), time)?], max_strain))
+/// What is asked of a component at a time.
+pub(super) struct Station<'a> {
+    pub metric: &'a Metric,
+    /// Pinned vertices and their places.
+    pub pins: &'a [(VertexId, DVec3)],
 }
 
-/// As many parts as keep strains below the largest one, and pins from moving by more than the mean length of an edge.
-pub(super) fn parts_between(lengths: [&[f64]; 2], pins: [&[(VertexId, DVec3)]; 2], max_strain: f64) -> usize {
-    let [here, there] = lengths;
-    let mean_length = here.iter().sum::<f64>() / here.len() as f64;
-    let longest = pins[1].iter().zip(pins[0]).map(|((_, a), (_, b))| a.distance(*b)).fold(0.0, f64::max);
-    let parts = (largest_strain(here, there) / max_strain).max(longest / mean_length);
-    (parts.ceil() as usize).max(1)
+impl Station<'_> {
+    /// How many parts the way to another one, at a time, is to be cut into.
+    ///
+    /// # Errors
+    /// [`EvolveError::TooFar`] if it would take more than a film can wait for.
+    pub fn parts_to(&self, there: &Station, mesh: &Mesh, time: f64, settling: &Settling) -> Result<usize, EvolveError> {
+        let (lengths, next) = (self.metric.edge_lengths(), there.metric.edge_lengths());
+        let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let moves = self.pins.iter().zip(there.pins).map(|((v, a), (_, b))| (*v, a.distance(*b)));
+        let (pin, longest) = moves.fold((VertexId::new(0), 0.0), |most, one| if one.1 > most.1 { one } else { most });
+        let strain = largest_strain(lengths, next);
+        let of_strain = strain / settling.max_strain();
+        let parts = of_strain.max(longest / mean_length).ceil();
+        if parts <= MOST_PARTS_OF_A_FRAME as f64 {
+            return Ok((parts as usize).max(1));
+        }
+        let what = if of_strain >= parts - 1.0 {
+            let strains = |e: &EdgeId| libm::log(next[e.index()] / lengths[e.index()]).abs() == strain;
+            let edge = mesh.edges().find(strains).unwrap_or(EdgeId::new(0));
+            FarMove::Edge { ends: mesh.file_ends(edge), factor: next[edge.index()] / lengths[edge.index()] }
+        } else {
+            FarMove::Pin { vertex: mesh.file_vertex(pin), distance: longest, mean_length }
+        };
+        Err(EvolveError::TooFar { time, parts, most: MOST_PARTS_OF_A_FRAME, what })
+    }
 }

@@ -30,8 +30,8 @@ pub struct Frame {
 pub enum UnfitFrame {
     #[error("there are {found} {what}, the mesh wants {expected}; {}", self.remedy())]
     Count { what: &'static str, found: usize, expected: usize },
-    #[error("the {what} hold numbers that are not finite; {}", self.remedy())]
-    NotFinite { what: &'static str },
+    #[error("the {what} hold numbers that are not finite, the first at {first}; {}", self.remedy())]
+    NotFinite { what: &'static str, first: String },
     #[error("the face frame of face {face} has length {length}; {}", self.remedy())]
     NotUnit { face: usize, length: f64 },
     #[error("the transport of edge {edge} has modulus {modulus}; {}", self.remedy())]
@@ -78,15 +78,19 @@ impl Frame {
         if let Some(edge) = self.rims.iter().map(|e| e.index()).find(|edge| *edge >= edges) {
             return Err(UnfitFrame::NoSuchEdge { edge, edges });
         }
-        let finite = [
-            ("positions", self.positions.iter().all(|p| p.is_finite())),
-            ("face frames", self.face_frames.iter().all(|q| q.is_finite())),
-            ("transports", transports.iter().all(|t| t.re.is_finite() && t.im.is_finite())),
-            ("edge lengths", self.edge_lengths.iter().all(|x| x.is_finite())),
-            ("measures", self.report.is_finite()),
+        let lost = [
+            ("positions", "vertex", self.positions.iter().position(|p| !p.is_finite())),
+            ("face frames", "face", self.face_frames.iter().position(|q| !q.is_finite())),
+            ("transports", "edge", transports.iter().position(|t| !(t.re.is_finite() && t.im.is_finite()))),
+            ("edge lengths", "edge", self.edge_lengths.iter().position(|x| !x.is_finite())),
         ];
-        if let Some((what, _)) = finite.into_iter().find(|(_, is_finite)| !is_finite) {
-            return Err(UnfitFrame::NotFinite { what });
+        if let Some((what, first)) =
+            lost.into_iter().find_map(|(what, element, at)| Some((what, format!("{element} {}", at?))))
+        {
+            return Err(UnfitFrame::NotFinite { what, first });
+        }
+        if let Some(first) = self.report.first_lost() {
+            return Err(UnfitFrame::NotFinite { what: "measures", first: format!("`{first}`") });
         }
         let modulus = |t: &Complex| (t.re * t.re + t.im * t.im).sqrt();
         if let Some(edge) = transports.iter().position(|t| (modulus(t) - 1.0).abs() > UNIT) {

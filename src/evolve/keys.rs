@@ -4,9 +4,9 @@
 //! lengths, bending angles and places of pins, then and at the times between. The first key is made of what all frames depend on:
 //! the mesh, the start, the class, the phases and constants, and [`ALGORITHM`].
 
-use super::course::Course;
+use super::course::{Course, metric_of};
 use super::error::EvolveError;
-use super::follow::parts_between;
+use super::follow::Station;
 use super::pace::{Pace, Settling};
 use super::program::{AskedClass, Orientation, Program, Start};
 use super::relax::{Phase, TimeStep};
@@ -70,8 +70,8 @@ impl<'a> LookAhead<'a> {
         let now = Before { time, metric: course.metric(time)?.metric.clone(), pins: course.pins().at(time)? };
         let mut digest = Digest::of("asked");
         if let (Some(settling), Some(before)) = (settling, before.as_ref()) {
-            let parts = |component: &&Component| now.parts_after(before, component, settling.max_strain());
-            for parts in components.iter().map(parts).collect::<BTreeSet<_>>() {
+            let parts = |component: &&Component| now.parts_after(before, component, settling);
+            for parts in components.iter().map(parts).collect::<Result<BTreeSet<_>, _>>()? {
                 for part in 1..parts {
                     let between = before.time + (time - before.time) * part as f64 / parts as f64;
                     digest = add(digest, course, between)?;
@@ -86,13 +86,17 @@ impl<'a> LookAhead<'a> {
 
 impl Before {
     /// In how many parts a component gets here.
-    fn parts_after(&self, before: &Before, component: &Component, max_strain: f64) -> usize {
-        let lengths = [before, self].map(|at| component.edges.pick(at.metric.edge_lengths()));
-        let own = |pins: &[(VertexId, DVec3)]| -> Vec<(VertexId, DVec3)> {
-            pins.iter().copied().filter(|(v, _)| component.vertices.here(v.index()).is_some()).collect()
+    fn parts_after(&self, before: &Before, component: &Component, settling: &Settling) -> Result<usize, EvolveError> {
+        let [from, to] = [before, self].map(|at| metric_of(component, &at.metric, at.time));
+        let [from, to] = [from?, to?];
+        let own = |at: &Before| {
+            let here =
+                |&(v, place): &(VertexId, DVec3)| Some((VertexId::new(component.vertices.here(v.index())?), place));
+            at.pins.iter().filter_map(here).collect::<Vec<_>>()
         };
-        let pins = [before, self].map(|at| own(&at.pins));
-        parts_between(lengths.each_ref().map(Vec::as_slice), pins.each_ref().map(Vec::as_slice), max_strain)
+        let [from_pins, to_pins] = [before, self].map(own);
+        let there = Station { metric: &to, pins: &to_pins };
+        Station { metric: &from, pins: &from_pins }.parts_to(&there, &component.mesh, self.time, settling)
     }
 }
 

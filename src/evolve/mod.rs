@@ -14,10 +14,11 @@ mod program;
 mod progress;
 mod relax;
 mod report;
+mod row;
 mod simulation;
 mod state;
 
-pub use error::{EvolveError, ResumeError, SetupError};
+pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
 pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use keys::ALGORITHM;

@@ -6,15 +6,15 @@ use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
 use super::keys::{LookAhead, keys_of, origin_of};
 use super::pace::Pace;
-use super::placement::{middle, next_in_row};
 use super::program::Program;
 use super::progress::Observer;
 use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
+use super::row::Row;
 use crate::algebra::Complex;
 use crate::digest::Key;
 use crate::immersion::spin_of_immersion;
-use crate::mesh::{Component, Mesh, Surface, VertexId};
+use crate::mesh::{Component, Mesh, Surface, VertexId, first_out_of_reach};
 use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
 use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
@@ -69,6 +69,9 @@ impl Simulation {
         let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
         if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
             return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
+        }
+        if let Some((index, place)) = start.positions().and_then(first_out_of_reach) {
+            return Err(SetupError::StartPlace { vertex: mesh.file_vertex(VertexId::new(index)), place });
         }
         let mesh = Arc::new(mesh);
         let time = clock.time(1);
@@ -150,7 +153,7 @@ impl Simulation {
         }
         self.frame += 1;
         self.take_metric(time)?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Relaxes the frames at the present time through all phases that are left, and integrates the surface.
@@ -160,7 +163,7 @@ impl Simulation {
     pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.relax(observer))?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Takes so many steps of the relaxation at the present time, or fewer until all phases are done, and integrates the
@@ -171,7 +174,7 @@ impl Simulation {
     pub fn advance(&mut self, steps: usize, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.advance(steps, observer))?;
-        Ok(self.frame_since(begin))
+        self.frame_since(begin)
     }
 
     /// Goes on after a frame of an earlier run of the same program, to the same bits.
@@ -348,8 +351,17 @@ impl Simulation {
     }
 
     /// The frame as it is now; the work on it began at a time of the wall clock.
-    fn frame_since(&mut self, begin: Instant) -> Arc<Frame> {
-        let positions = self.placed();
+    ///
+    /// # Errors
+    /// [`EvolveError::Unfit`] if it could not be read again: some number is not finite.
+    fn frame_since(&mut self, begin: Instant) -> Result<Arc<Frame>, EvolveError> {
+        let row = Row {
+            mesh_positions: self.mesh_positions.as_deref(),
+            previous: self.previous.as_ref().map(|previous| &*previous.positions),
+            is_looping: self.clock.is_looping(),
+            is_of_relaxation: matches!(self.pace, Pace::Steps(_)),
+        };
+        let positions = row.place(&mut self.components, self.mesh.vertex_count());
         let Simulation { mesh, metric, homology, components, .. } = self;
         let (rims, mut report) = measure(mesh, metric, homology, components, &positions);
         report.frame = self.frame;
@@ -369,32 +381,9 @@ impl Simulation {
             compare(&self.mesh, previous, &mut frame);
         }
         frame.report.seconds = begin.elapsed().as_secs_f64();
+        frame.fits(&self.mesh).map_err(|fault| EvolveError::Unfit { time: frame.report.time, fault })?;
         let frame = Arc::new(frame);
         self.previous = Some(frame.clone());
-        frame
-    }
-
-    /// The positions of the whole surface, |V|. Of several components those that are laid upon nothing stand where the
-    /// mesh has them, or else in a row.
-    fn placed(&mut self) -> Vec<DVec3> {
-        let mut whole = vec![DVec3::ZERO; self.mesh.vertex_count()];
-        let several = self.components.len() > 1;
-        let is_of_relaxation = matches!(self.pace, Pace::Steps(_));
-        let mut row = 0.0;
-        for relaxation in &mut self.components {
-            let vertices = &relaxation.state().component().vertices;
-            let previous = self.previous.as_ref().map(|previous| vertices.pick(&previous.positions));
-            let (mut positions, is_laid) = relaxation.placed(previous, self.clock.is_looping(), is_of_relaxation);
-            let vertices = &relaxation.state().component().vertices;
-            if several && !is_laid {
-                let shift = match &self.mesh_positions {
-                    Some(places) => middle(&vertices.pick(places)) - middle(&positions),
-                    None => next_in_row(&positions, &mut row),
-                };
-                positions.iter_mut().for_each(|p| *p += shift);
-            }
-            vertices.put(&positions, &mut whole);
-        }
-        whole
+        Ok(frame)
     }
 }

@@ -36,6 +36,15 @@ pub(super) struct State {
     discretization: Discretization,
 }
 
+/// A state apart from what follows from it.
+#[derive(Clone, Debug)]
+pub(super) struct Mark {
+    time: f64,
+    metric: Arc<Metric>,
+    spin: SpinStructure,
+    face_frames: Vec<DQuat>,
+}
+
 impl State {
     /// Lines 1 to 6 of Algorithm 2: a component of a surface with this metric and spin structure at a time. `frames`
     /// makes the frames to start from, which may take what `beside` makes of the shell while the Poisson problem is
@@ -209,6 +218,19 @@ impl State {
         self.face_frames = faces.pick(&frame.face_frames);
         self.metric = metric_of(&self.component, whole, time)?;
         (self.class, self.time) = (class, time);
+        self.discretize(course)
+    }
+
+    /// What there is to go back to.
+    pub fn mark(&self) -> Mark {
+        let State { time, metric, spin, face_frames, .. } = self;
+        Mark { time: *time, metric: metric.clone(), spin: spin.clone(), face_frames: face_frames.clone() }
+    }
+
+    /// Goes back to what it was.
+    pub fn go_back(&mut self, course: &Course, mark: &Mark) -> Result<(), EvolveError> {
+        let Mark { time, metric, spin, face_frames } = mark.clone();
+        (self.time, self.metric, self.spin, self.face_frames) = (time, metric, spin, face_frames);
         self.discretize(course)
     }
 

@@ -2,7 +2,7 @@
 
 use crate::advice::Advice;
 use crate::algebra::quaternion;
-use crate::mesh::{Mesh, VertexId};
+use crate::mesh::{LARGEST_COORDINATE, Mesh, VertexId, is_in_reach};
 use crate::timeline::{Keyframes, PointFormula};
 use glam::DVec3;
 
@@ -17,14 +17,14 @@ pub enum PinError {
     #[error("vertex {vertex} is pinned to {first:?} and to {second:?} at time {time}; {}", self.remedy())]
     Contradiction { group: usize, vertex: usize, first: [f64; 3], second: [f64; 3], time: f64 },
     #[error("vertex {vertex} is led to {place:?} at time {time}; {}", self.remedy())]
-    NotFinite { group: usize, vertex: usize, place: [f64; 3], time: f64 },
+    OutOfReach { group: usize, vertex: usize, place: [f64; 3], time: f64 },
 }
 
 impl PinError {
     /// The group that is at fault, where there are several.
     pub fn group(&self) -> Option<usize> {
         match *self {
-            PinError::Contradiction { group, .. } | PinError::NotFinite { group, .. } => Some(group),
+            PinError::Contradiction { group, .. } | PinError::OutOfReach { group, .. } => Some(group),
             PinError::Count { .. } | PinError::NoPositions => None,
         }
     }
@@ -36,7 +36,9 @@ impl Advice for PinError {
             PinError::Count { .. } => "give one position per vertex, or none".into(),
             PinError::NoPositions => "add `positions`, one per vertex".into(),
             PinError::Contradiction { .. } => "keep one of the two".into(),
-            PinError::NotFinite { .. } => "correct the formula there".into(),
+            PinError::OutOfReach { .. } => format!(
+                "correct the formula or the keyframes there; coordinates must be finite and at most {LARGEST_COORDINATE:e}"
+            ),
         }
     }
 }
@@ -90,16 +92,16 @@ impl Pins {
     /// Pinned vertices and where they are at a time, each vertex once, in order.
     ///
     /// # Errors
-    /// [`PinError::Contradiction`], [`PinError::NotFinite`]
+    /// [`PinError::Contradiction`], [`PinError::OutOfReach`]
     pub fn at(&self, time: f64) -> Result<Vec<(VertexId, DVec3)>, PinError> {
         let mut places: Vec<(VertexId, DVec3, usize)> = Vec::new();
         for (k, group) in self.groups.iter().enumerate() {
             places.extend(group.at(time).into_iter().map(|(v, place)| (v, place, k)));
         }
         places.sort_by_key(|(v, _, k)| (*v, *k));
-        let is_lost = |(_, place, _): &&(VertexId, DVec3, usize)| !place.is_finite();
+        let is_lost = |(_, place, _): &&(VertexId, DVec3, usize)| !is_in_reach(*place);
         if let Some(&(v, place, group)) = places.iter().find(is_lost) {
-            return Err(PinError::NotFinite { group, vertex: self.number(v), place: place.to_array(), time });
+            return Err(PinError::OutOfReach { group, vertex: self.number(v), place: place.to_array(), time });
         }
         let apart = |a: DVec3, b: DVec3| a.distance(b) > SAME_PLACE * (1.0 + a.length());
         if let Some(&[(v, a, _), (_, b, group)]) =

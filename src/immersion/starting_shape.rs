@@ -2,7 +2,7 @@
 
 use super::deform::{noise_along_normals, noise_displacement};
 use crate::advice::Advice;
-use crate::mesh::{Mesh, VertexId};
+use crate::mesh::{LARGEST_COORDINATE, Mesh, VertexId, is_in_reach};
 use crate::timeline::PointFormula;
 use glam::DVec3;
 
@@ -12,13 +12,13 @@ use glam::DVec3;
 pub struct LostVertex {
     /// Its number in the mesh file.
     pub vertex: usize,
-    /// Not finite.
+    /// Not finite, or too far away to compute with.
     pub place: [f64; 3],
 }
 
 impl Advice for LostVertex {
     fn remedy(&self) -> String {
-        "correct the formula there".into()
+        format!("correct the formula there; coordinates must be finite and at most {LARGEST_COORDINATE:e}")
     }
 }
 
@@ -61,7 +61,7 @@ pub fn mirrored(positions: &[DVec3]) -> Vec<DVec3> {
 pub fn moved(mesh: &Mesh, positions: &[DVec3], formula: &PointFormula, time: f64) -> Result<Vec<DVec3>, LostVertex> {
     let formula = formula.at(time);
     let moved: Vec<DVec3> = positions.iter().map(|&place| formula.point(place)).collect();
-    match moved.iter().position(|place| !place.is_finite()) {
+    match moved.iter().position(|place| !is_in_reach(*place)) {
         None => Ok(moved),
         Some(v) => Err(LostVertex { vertex: mesh.file_vertex(VertexId::new(v)), place: moved[v].to_array() }),
     }

@@ -10,6 +10,15 @@ pub const MOST_FACES: usize = u32::MAX as usize / 6 - 1;
 /// The most vertices of a mesh.
 pub const MOST_VERTICES: usize = u32::MAX as usize - 1;
 
+/// How far from 0 coordinates may be. Squares of them, and products of several, are still numbers then, also in single
+/// precision where pictures are made.
+pub const LARGEST_COORDINATE: f64 = 1e15;
+
+/// Whether a point is one, not too far away to compute with.
+pub fn is_in_reach(point: glam::DVec3) -> bool {
+    point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE
+}
+
 /// Refuses what has no faces, and what has too many elements.
 pub(super) fn check_size(vertices: usize, faces: usize) -> Result<(), MeshError> {
     if faces == 0 {

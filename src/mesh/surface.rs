@@ -1,6 +1,7 @@
 //! A mesh with what is known of its geometry.
 
-use super::{Mesh, MeshError};
+use super::limits::{LARGEST_COORDINATE, is_in_reach};
+use super::{Mesh, MeshError, VertexId};
 use crate::advice::Advice;
 use glam::DVec3;
 
@@ -21,22 +22,30 @@ pub struct Surface {
 }
 
 /// Why a surface does not hold together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)] // the fields are what the messages say they are
 pub enum SurfaceError {
     #[error("there are {found} {what}, the mesh wants {expected}; {}", self.remedy())]
     Count { what: &'static str, found: usize, expected: usize },
-    #[error("the position of vertex {vertex} is not finite; {}", self.remedy())]
-    NotFinite { vertex: usize },
+    #[error("vertex {vertex} is at {place:?}; {}", self.remedy())]
+    OutOfReach { vertex: usize, place: [f64; 3] },
 }
 
 impl Advice for SurfaceError {
     fn remedy(&self) -> String {
         match self {
             SurfaceError::Count { .. } => "take all of them from the same mesh".into(),
-            SurfaceError::NotFinite { .. } => "correct it, or leave the positions out".into(),
+            SurfaceError::OutOfReach { .. } => format!(
+                "coordinates must be finite and at most {LARGEST_COORDINATE:e}, correct them or use another unit"
+            ),
         }
     }
+}
+
+/// The first point that is none, or too far away to compute with, and its coordinates.
+pub(crate) fn first_out_of_reach(points: &[DVec3]) -> Option<(usize, [f64; 3])> {
+    let index = points.iter().position(|point| !is_in_reach(*point))?;
+    Some((index, points[index].to_array()))
 }
 
 impl Surface {
@@ -49,7 +58,7 @@ impl Surface {
         Ok(Surface { mesh, positions: Some(positions), coordinates: None, edge_lengths: None, repairs: Vec::new() })
     }
 
-    /// Whether every array has one entry per vertex or edge, and positions are finite.
+    /// Whether every array has one entry per vertex or edge, and positions are in reach.
     ///
     /// # Errors
     /// [`SurfaceError`] for the first array that is of another mesh.
@@ -65,9 +74,11 @@ impl Surface {
                 return Err(SurfaceError::Count { what, found, expected });
             }
         }
-        let lost = |points: &Option<Vec<DVec3>>| points.iter().flatten().position(|point| !point.is_finite());
+        let lost = |points: &Option<Vec<DVec3>>| points.as_deref().and_then(first_out_of_reach);
         match lost(&self.positions).or(lost(&self.coordinates)) {
-            Some(vertex) => Err(SurfaceError::NotFinite { vertex }),
+            Some((vertex, place)) => {
+                Err(SurfaceError::OutOfReach { vertex: self.mesh.file_vertex(VertexId::new(vertex)), place })
+            }
             None => Ok(()),
         }
     }

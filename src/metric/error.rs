@@ -13,6 +13,12 @@ pub enum MetricError {
     #[error("edge {edge} between vertices {vertices:?} has length {length}; {}", self.remedy())]
     NotPositive { edge: usize, vertices: [u32; 2], length: f64 },
     #[error(
+        "edge {edge} between vertices {vertices:?} has length {length:e}, and the longest side of a face may be from \
+         {least:e} to {most:e}; {}",
+        self.remedy()
+    )]
+    OutOfRange { edge: usize, vertices: [u32; 2], length: f64, least: f64, most: f64 },
+    #[error(
         "the triangle inequality fails in {count} faces, worst in face {face} with vertices {vertices:?} and \
          lengths {lengths:?}: the longest side must be shorter than the sum of the others; {}",
         self.remedy()
@@ -84,6 +90,10 @@ impl Advice for MetricError {
         match self {
             MetricError::Count { .. } => "give one length per edge".into(),
             MetricError::NotPositive { .. } => "every length must be positive and finite".into(),
+            MetricError::OutOfRange { .. } => {
+                "use another unit: multiply all lengths, positions and pins by one number, which changes no shape"
+                    .into()
+            }
             MetricError::TriangleInequality { .. } => "correct these lengths".into(),
             MetricError::TooThin { .. } => {
                 "flip the longest side or collapse the shortest one, or move the vertex between the shorter sides \

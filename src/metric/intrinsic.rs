@@ -6,6 +6,7 @@ use crate::algebra::Complex;
 use crate::mesh::{EdgeId, FaceId, HalfedgeId, Mesh, VertexId};
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::ops::RangeInclusive;
 
 /// A piecewise Euclidean metric on a mesh (Sec. 1.3) and the quantities it determines.
 #[derive(Clone, Debug)]
@@ -19,11 +20,15 @@ pub struct Metric {
 }
 
 impl Metric {
+    /// The lengths that the longest side of a face may have. Areas, weights and what is made of them stay far from where double precision
+    /// ends, and single precision in the renderer; tori are the same from 10⁻²² to 10¹⁹.
+    pub const LENGTHS: RangeInclusive<f64> = 1e-15..=1e15;
+
     /// Derives everything from one length per edge.
     ///
     /// # Errors
-    /// [`MetricError`] where lengths are missing, not positive and finite, or break the triangle
-    /// inequality (the worst face is named).
+    /// [`MetricError`] where lengths are missing, not positive and finite, outside of [`Metric::LENGTHS`], or break the
+    /// triangle inequality (the worst face is named).
     pub fn new(mesh: &Mesh, edge_lengths: Vec<f64>) -> Result<Metric, MetricError> {
         if edge_lengths.len() != mesh.edge_count() {
             return Err(MetricError::Count { edges: mesh.edge_count(), lengths: edge_lengths.len() });
@@ -35,6 +40,7 @@ impl Metric {
                 length: edge_lengths[edge],
             });
         }
+        check_range(mesh, &edge_lengths)?;
         check_triangles(mesh, &edge_lengths)?;
         let sides: Vec<[f64; 3]> =
             mesh.faces().map(|f| f.halfedges().map(|h| edge_lengths[mesh.edge(h).index()])).collect();
@@ -157,6 +163,21 @@ pub fn lengths_of_positions(mesh: &Mesh, positions: &[glam::DVec3]) -> Vec<f64> 
 /// The largest change of a length between two lists of them, as a share of it (by its logarithm).
 pub fn largest_strain(before: &[f64], after: &[f64]) -> f64 {
     before.iter().zip(after).map(|(a, b)| libm::log(b / a).abs()).fold(0.0, f64::max)
+}
+
+fn check_range(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {
+    let (least, most) = (*Metric::LENGTHS.start(), *Metric::LENGTHS.end());
+    let longest = |f: FaceId| {
+        let sides = f.halfedges().map(|h| mesh.edge(h));
+        sides.into_iter().fold(sides[0], |a, b| if lengths[b.index()] > lengths[a.index()] { b } else { a })
+    };
+    match mesh.faces().map(longest).find(|e| !Metric::LENGTHS.contains(&lengths[e.index()])) {
+        None => Ok(()),
+        Some(e) => {
+            let (edge, vertices) = (e.index(), mesh.file_ends(e));
+            Err(MetricError::OutOfRange { edge, vertices, length: lengths[edge], least, most })
+        }
+    }
 }
 
 fn check_triangles(mesh: &Mesh, lengths: &[f64]) -> Result<(), MetricError> {

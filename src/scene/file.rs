@@ -1,7 +1,6 @@
 //! From a path or a text to a scene.
 
-use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
@@ -13,9 +12,10 @@ use super::keys::{LISTED, Problem, Problems, Table};
 use super::sections::root;
 use super::source::Source;
 use crate::text::decode;
+use crate::whole_file::{self, ReadError};
 
-/// Far more than any scene needs; what is longer is not a scene.
-const MAX_BYTES: u64 = 64 << 20;
+/// Far more than any scene needs, and little enough to be read in a moment; what is longer is not a scene.
+const MOST_BYTES: u64 = 4 << 20;
 
 impl Scene {
     /// Reads a scene file. Its stem is the scene's name, its folder that of relative paths.
@@ -33,29 +33,32 @@ impl Scene {
         if path.is_dir() {
             return Err(foreign(folder_that_is_no_scene(path)));
         }
-        let mut bytes = Vec::new();
-        let mut read = |file: File| match foreign_ending(path) {
-            // Its content does not matter, and may be large.
-            Some(_) => Ok(0),
-            None => file.take(MAX_BYTES + 1).read_to_end(&mut bytes),
-        };
-        match File::open(path).and_then(&mut read) {
-            Ok(_) => {}
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+        // Of what ends otherwise the content does not matter, and may be large.
+        let bytes = match (whole_file::read(path, MOST_BYTES), foreign_ending(path)) {
+            (Ok(_) | Err(ReadError::TooLarge { .. }), Some(what)) => return Err(foreign(what)),
+            (Ok(bytes), None) => bytes,
+            (Err(ReadError::Io(error)), _) if error.kind() == io::ErrorKind::NotFound => {
                 return Err(unreadable(
                     "there is no such file".into(),
                     "check the path; `immerse new NAME` writes a scene to start from",
                 ));
             }
-            Err(error) => {
+            (Err(ReadError::Io(error)), _) => {
                 return Err(unreadable(format!("it cannot be read ({error})"), "name a scene file that you may read"));
             }
-        }
-        if let Some(what) = foreign_ending(path).or_else(|| foreign_content(path, &bytes)) {
+            (Err(error @ ReadError::NoFile(_)), _) => {
+                let remedy = "name a scene file; what comes out of a pipe can be saved as one";
+                return Err(unreadable(format!("it cannot be read: {error}"), remedy));
+            }
+            (Err(error @ ReadError::TooLarge { .. }), None) => {
+                return Err(unreadable(
+                    error.to_string(),
+                    "name a scene file, which is a short text; long lists belong into the files that it names",
+                ));
+            }
+        };
+        if let Some(what) = foreign_content(path, &bytes) {
             return Err(foreign(what));
-        }
-        if bytes.len() as u64 > MAX_BYTES {
-            return Err(unreadable("it is larger than 64 MiB".into(), "name a scene file, which is a short text"));
         }
         let text = decode(&bytes);
         if let Some(line) = text.first_broken_line {

@@ -16,6 +16,10 @@ pub enum TimelineError {
     NothingToRepeat,
     #[error("formula `{formula}`: {reason}; {}", self.remedy())]
     Formula { formula: String, reason: String, known: String },
+    #[error("the formula has {characters} characters, {most} are the limit; {}", self.remedy())]
+    TooLong { characters: usize, most: usize },
+    #[error("there are more than {most} parameters; {}", self.remedy())]
+    TooManyParameters { most: usize },
     #[error("`{name}` cannot name a parameter, it already means something in formulas; {}", self.remedy())]
     Name { name: String },
     #[error("a film cannot have {frames} frames; {}", self.remedy())]
@@ -32,6 +36,8 @@ impl Advice for TimelineError {
             TimelineError::Order { .. } => "sort the times, each greater than the last".into(),
             TimelineError::NothingToRepeat => "give at least two times".into(),
             TimelineError::Formula { known, .. } => format!("it may use {known}"),
+            TimelineError::TooLong { .. } => "name parts of it under [parameters], and use the names in it".into(),
+            TimelineError::TooManyParameters { .. } => "write numbers that are used once where they are used".into(),
             TimelineError::Name { .. } => "choose another name".into(),
             TimelineError::Frames { most, .. } => format!("give 1 to {most}"),
             TimelineError::Backwards { .. } => "make the end greater than the start".into(),

@@ -10,6 +10,6 @@ mod point_formula;
 
 pub use clock::Clock;
 pub use error::TimelineError;
-pub use formula::{Formula, FormulaAt, Number, Parameters};
+pub use formula::{Formula, FormulaAt, LONGEST_FORMULA, MOST_PARAMETERS, Number, Parameters};
 pub use keyframes::{Ease, Extrapolation, Keyframes, eased};
 pub use point_formula::{PointFormula, PointFormulaAt};

@@ -16,6 +16,7 @@ mod curves;
 mod edited;
 mod frame_range;
 mod frame_rates;
+mod hostile;
 mod interrupted;
 mod leftovers;
 mod overlap;

@@ -6,6 +6,7 @@ use super::relaxation::Relaxation;
 use super::step::Step;
 use crate::evolve::error::EvolveError;
 use crate::evolve::progress::{Observer, Progress};
+use crate::mesh::FaceId;
 use glam::DVec3;
 
 /// How a relaxation goes on after a step.
@@ -33,7 +34,14 @@ impl Relaxation {
         self.cursor.step += 1;
         self.cursor.steps += 1;
         if !step.turn.is_finite() {
-            return Err(EvolveError::Diverged { steps: self.cursor.steps, phase: self.cursor.phase });
+            let (frames, mesh) = (self.state.face_frames(), self.state.mesh());
+            let face = frames.iter().position(|frame| !frame.is_finite()).unwrap_or(0);
+            return Err(EvolveError::Diverged {
+                time: self.state.time(),
+                face: mesh.file_face(FaceId::new(face)),
+                steps: self.cursor.steps,
+                phase: self.cursor.phase,
+            });
         }
         let l2_length_error = self.state.length_error_at(&step.positions);
         let is_accurate = self.is_accurate(l2_length_error, &step.positions);

@@ -8,7 +8,7 @@ use crate::evolve::error::{EvolveError, SetupError};
 use crate::evolve::frame::Frame;
 use crate::evolve::placement::Placement;
 use crate::evolve::program::{Orientation, Start};
-use crate::evolve::state::State;
+use crate::evolve::state::{Mark, State};
 use crate::frames::{Shell, Stepper, random_frames, spectral_frames};
 use crate::immersion::rimless_frames;
 use crate::mesh::{Component, Mesh};
@@ -177,6 +177,17 @@ impl Relaxation {
         self.state.restore(course, frame, whole, class)?;
         (self.cursor, self.frame) = (cursor, frame.report.frame);
         Ok(())
+    }
+
+    /// What there is to go back to.
+    pub fn mark(&self) -> (Mark, Cursor) {
+        (self.state.mark(), self.cursor)
+    }
+
+    /// Goes back to where it was.
+    pub fn go_back(&mut self, course: &Course, (mark, cursor): &(Mark, Cursor)) -> Result<(), EvolveError> {
+        self.cursor = *cursor;
+        self.state.go_back(course, mark)
     }
 
     /// Takes the last phase up again if it is over.

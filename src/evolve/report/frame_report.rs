@@ -154,8 +154,8 @@ impl FrameReport {
         }
     }
 
-    /// Whether all measures are numbers; others cannot be written to a report and read again.
-    pub fn is_finite(&self) -> bool {
+    /// The first measure that is no number, which could not be written to a report and read again.
+    pub fn first_lost(&self) -> Option<&'static str> {
         // Every field is named here, so that none is forgotten.
         let FrameReport {
             frame: _,
@@ -192,33 +192,40 @@ impl FrameReport {
             on_the_way: _,
         } = self;
         let always = [
-            time,
-            l2_length_error,
-            max_length_error,
-            median_length_error,
-            p95_length_error,
-            rim_length,
-            energy,
-            period_error,
-            strain,
-            median_move,
-            max_move,
-            seconds,
-            &places.thinness,
-            &places.sharpest_degrees,
+            ("time", *time),
+            ("l2_length_error", *l2_length_error),
+            ("max_length_error", *max_length_error),
+            ("median_length_error", *median_length_error),
+            ("p95_length_error", *p95_length_error),
+            ("rim_length", *rim_length),
+            ("energy", *energy),
+            ("period_error", *period_error),
+            ("strain", *strain),
+            ("median_move", *median_move),
+            ("max_move", *max_move),
+            ("seconds", *seconds),
+            ("thinness", places.thinness),
+            ("sharpest_degrees", places.sharpest_degrees),
         ];
-        let sometimes = [curvature_error, mean_distance, pin_distance, enclosed_volume, largest_dent];
+        let sometimes = [
+            ("curvature_error", *curvature_error),
+            ("mean_distance", *mean_distance),
+            ("pin_distance", *pin_distance),
+            ("enclosed_volume", *enclosed_volume),
+            ("largest_dent", *largest_dent),
+        ];
         let of_bending = bending_error.map_or([0.0; 2], |error| [error.rms_degrees, error.max_degrees]);
         let of_components = components.iter().flat_map(|part| {
             let ComponentReport { l2_length_error, max_length_error, cursor, .. } = *part;
             [l2_length_error, max_length_error, cursor.dt, cursor.turn]
         });
-        let mut numbers = (always.into_iter().copied())
-            .chain(sometimes.into_iter().flatten().copied())
-            .chain(*stiffness)
-            .chain(of_bending)
-            .chain(of_components)
-            .chain([cursor.dt, cursor.turn]);
-        numbers.all(f64::is_finite)
+        let named = |name: &'static str| move |number: f64| (name, number);
+        let mut numbers = (always.into_iter())
+            .chain(sometimes.into_iter().filter_map(|(name, number)| Some((name, number?))))
+            .chain(stiffness.map(named("stiffness")))
+            .chain(of_bending.map(named("bending_error")))
+            .chain(of_components.map(named("components")))
+            .chain([cursor.dt, cursor.turn].map(named("cursor")));
+        numbers.find(|(_, number)| !number.is_finite()).map(|(name, _)| name)
     }
 }

@@ -19,6 +19,7 @@ use super::draft::Draft;
 use super::reeling::{Animation, Reeling};
 use crate::film::error::FilmError;
 use crate::render::Metadata;
+use crate::scene::OutputSection;
 
 pub(super) struct Mp4 {
     encoder: Encoder,
@@ -36,7 +37,7 @@ impl Mp4 {
     pub fn begin(draft: Draft, reeling: Reeling) -> Result<Mp4, FilmError> {
         let Reeling { width, height, rate, .. } = reeling;
         let (even_width, even_height) = (width & !1, height & !1);
-        if even_width == 0 || even_height == 0 || width.max(height) > 3840 || width.min(height) > 2160 {
+        if !OutputSection::is_of_video(width, height) {
             let reason = "H.264 takes pictures from 2 x 2 to 3840 x 2160 pixels; choose another size";
             return Err(draft.error(format!("{width} x {height} pixels: {reason}")));
         }

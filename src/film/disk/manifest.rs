@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::digest::Key;
 use crate::evolve::ALGORITHM;
-use crate::mesh::Mesh;
+use crate::mesh::{MOST_FACES, Mesh};
 use crate::scene::{ChecksSection, Scene};
-use serde::{Deserialize, Serialize};
+use crate::timeline::Clock;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize};
 
 /// What a film is of.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,8 +70,10 @@ pub struct Manifest {
     /// [`FilmSpec::sections`].
     pub sections: BTreeMap<String, Key>,
     /// How many frames the film will have.
+    #[serde(deserialize_with = "possible_frame_count")]
     pub frame_count: usize,
     /// Counts of the mesh.
+    #[serde(deserialize_with = "possible_counts")]
     pub mesh: MeshCounts,
     /// SHA-256 of `mesh.npz`.
     pub mesh_sha256: Key,
@@ -112,6 +116,27 @@ impl Manifest {
 /// What finds the keys of frames.
 fn program() -> String {
     format!("immerse {}, algorithm {ALGORITHM}", env!("CARGO_PKG_VERSION"))
+}
+
+/// A number of frames that a film can have: whoever wrote another one, memory is asked for by it.
+fn possible_frame_count<'de, D: Deserializer<'de>>(deserializer: D) -> Result<usize, D::Error> {
+    let frames = usize::deserialize(deserializer)?;
+    if (1..=Clock::MOST_FRAMES).contains(&frames) {
+        return Ok(frames);
+    }
+    Err(D::Error::custom(format!("it says that there are {frames} frames, and a film has 1 to {}", Clock::MOST_FRAMES)))
+}
+
+/// Counts that a mesh can have.
+fn possible_counts<'de, D: Deserializer<'de>>(deserializer: D) -> Result<MeshCounts, D::Error> {
+    let counts = MeshCounts::deserialize(deserializer)?;
+    let corners = 3 * counts.faces.min(MOST_FACES);
+    if counts.faces > MOST_FACES || counts.vertices > corners || counts.edges > corners {
+        let MeshCounts { vertices, edges, faces, .. } = counts;
+        let reason = format!("it says that there are {vertices} vertices, {edges} edges and {faces} faces");
+        return Err(D::Error::custom(reason));
+    }
+    Ok(counts)
 }
 
 /// Version of all files in the folder. Raised when their meaning changes.

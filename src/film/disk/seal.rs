@@ -9,7 +9,7 @@ use serde::de::DeserializeOwned;
 
 use super::error::DiskError;
 use super::manifest::FORMAT;
-use crate::whole_file;
+use crate::whole_file::{self, ReadError};
 
 /// Writes a file so that after a crash at any instant there is the old one, the new one or none.
 pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), DiskError> {
@@ -24,12 +24,16 @@ pub(super) fn remove(path: &Path) -> Result<(), DiskError> {
     }
 }
 
+/// The most bytes of a file of a film: a frame of the largest mesh has fewer.
+const MOST_BYTES: u64 = 1 << 40;
+
 /// The bytes of a file, or `None` if it is not there.
 pub(super) fn read(path: &Path) -> Result<Option<Vec<u8>>, DiskError> {
-    match fs::read(path) {
+    match whole_file::read(path, MOST_BYTES) {
         Ok(bytes) => Ok(Some(bytes)),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
-        Err(error) => Err(DiskError::io(path, "read")(error)),
+        Err(ReadError::Io(error)) if error.kind() == io::ErrorKind::NotFound => Ok(None),
+        Err(ReadError::Io(error)) => Err(DiskError::io(path, "read")(error)),
+        Err(error) => Err(DiskError::io(path, "read")(io::Error::other(error.to_string()))),
     }
 }
 

@@ -7,8 +7,9 @@ use super::format::FileFormat;
 use super::formats::{obj, off, ply, stl};
 use super::problem::{Problem, read_bytes};
 use super::soup::Soup;
-use crate::mesh::limits::check_size;
+use crate::mesh::limits::{LARGEST_COORDINATE, check_size};
 use crate::mesh::repair::Unrepairable;
+use crate::mesh::surface::first_out_of_reach;
 use crate::mesh::{MeshError, Surface, Weld};
 
 /// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
@@ -62,5 +63,12 @@ pub(super) fn read_soup(path: &Path) -> Result<(Soup, FileFormat), MeshError> {
     let bytes = read_bytes(path)?;
     let soup = content::check(&bytes, format).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;
     check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| Problem::of_size(&error).in_file(path))?;
+    if let Some((index, place)) = soup.positions.as_deref().and_then(first_out_of_reach) {
+        let counted_from = format.counts_from();
+        let number = index + counted_from as usize;
+        let reason = format!("vertex {number} (counted from {counted_from}) is at {place:?}, which is too far away");
+        let remedy = format!("coordinates may be at most {LARGEST_COORDINATE:e}; use another unit");
+        return Err(Problem::new(reason, remedy).in_file(path));
+    }
     Ok((soup, format))
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::advice::Advice;
 use crate::mesh::MeshError;
+use crate::whole_file::{self, ReadError};
 
 /// What is wrong with a file, on which line, and what to do about it.
 pub(super) struct Problem {
@@ -16,12 +17,12 @@ pub(super) struct Problem {
 impl Problem {
     /// A problem of the whole file.
     pub fn new(reason: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { line: None, reason: reason.into(), remedy: remedy.into() }
+        Self { line: None, reason: short(reason.into()), remedy: remedy.into() }
     }
 
     /// A problem of a line.
     pub fn at(line: usize, reason: impl Into<String>, remedy: impl Into<String>) -> Self {
-        Self { line: Some(line), reason: reason.into(), remedy: remedy.into() }
+        Self { line: Some(line), reason: short(reason.into()), remedy: remedy.into() }
     }
 
     /// A mesh that is too small or too large as a whole.
@@ -40,10 +41,27 @@ impl Problem {
     }
 }
 
+/// A reason as far as it is read: a word of the file that it repeats may be as long as the file.
+fn short(mut reason: String) -> String {
+    const SHOWN: usize = 400;
+    if let Some((end, _)) = reason.char_indices().nth(SHOWN) {
+        reason.truncate(end);
+        reason.push('…');
+    }
+    reason
+}
+
+/// The most bytes of a mesh file or a table, which is more than the largest mesh that fits into memory has.
+pub(super) const MOST_BYTES: u64 = 4 << 30;
+
 /// All bytes of a file.
 pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, MeshError> {
-    std::fs::read(path).map_err(|error| {
-        let remedy = "check the path (relative ones start at the scene file) and the permissions";
+    whole_file::read(path, MOST_BYTES).map_err(|error| {
+        let remedy = match error {
+            ReadError::Io(_) => "check the path (relative ones start at the scene file) and the permissions",
+            ReadError::NoFile(_) => "name a file; what comes out of a pipe can be saved as one",
+            ReadError::TooLarge { .. } => "reduce it to fewer faces or lines",
+        };
         Problem::new(format!("cannot be read: {error}"), remedy).in_file(path)
     })
 }

@@ -51,6 +51,8 @@ pub enum ShapeFault {
     CrossesItself { polygon: usize },
     /// The grid around a solid would have too many cells.
     TooManyCells { edge_length: f64, cells: f64, limit: f64 },
+    /// So many solids would have to be evaluated at too many places.
+    TooManySolids { edge_length: f64, solids: usize, evaluations: f64, limit: f64 },
     /// Nothing of a solid is seen by the grid.
     NoSurface { edge_length: f64 },
     /// A radius, in units of 1/√−curvature, is out of range.
@@ -94,6 +96,9 @@ impl ShapeFault {
             ShapeFault::TooManyCells { edge_length, cells, limit } => {
                 format!("edges of {edge_length} need a grid of {cells:.3e} cells, {limit:.0e} are the limit")
             }
+            ShapeFault::TooManySolids { edge_length, solids, evaluations, limit } => format!(
+                "edges of {edge_length} on {solids} solids need {evaluations:.1e} distances, {limit:.0e} are the limit"
+            ),
             ShapeFault::NoSurface { edge_length } => format!("no surface was found at edge length {edge_length}"),
             ShapeFault::RadiusOutOfRange(radius) => format!("`{name}` is {radius} times 1/√−curvature"),
             ShapeFault::TooCoarse { faces, edge, .. } => {
@@ -124,6 +129,7 @@ impl Advice for ShapeError {
             ShapeFault::UnknownCorner { .. } => "vertices count from 0",
             ShapeFault::CrossesItself { .. } => "give it an inside",
             ShapeFault::TooManyCells { .. } => "raise `edge_length` or make the solid smaller",
+            ShapeFault::TooManySolids { .. } => "raise `edge_length`, use fewer solids, or blend them less widely",
             ShapeFault::NoSurface { .. } => "lower `edge_length`, or make sure that something is left of the solid",
             ShapeFault::RadiusOutOfRange(_) => "choose a radius from 1e-6 to 20 times that",
             ShapeFault::TooCoarse { least, .. } => return format!("give at least {least} faces or a smaller radius"),

@@ -1,11 +1,19 @@
 //! The light of a picture of a sphere.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use glam::Vec3;
 
 use super::color::linear_from_srgb;
 use crate::render::RenderError;
+use crate::whole_file;
+
+/// The most bytes of the file of a picture, and of what it unpacks to.
+const MOST_BYTES: u64 = 256 << 20;
+
+/// The longest side of a picture in pixels.
+const LONGEST_SIDE: u32 = 8192;
 
 /// A square picture of a lit sphere in linear light, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,7 +31,15 @@ impl Matcap {
     /// [`RenderError::Matcap`]
     pub fn read(path: &Path) -> Result<Self, RenderError> {
         let failed = |error: String| RenderError::Matcap { path: path.to_owned(), reason: error };
-        let picture = image::open(path).map_err(|error| failed(error.to_string()))?.into_rgb8();
+        let bytes = whole_file::read(path, MOST_BYTES).map_err(|error| failed(error.to_string()))?;
+        let mut reader = image::ImageReader::new(Cursor::new(bytes))
+            .with_guessed_format()
+            .map_err(|error| failed(error.to_string()))?;
+        let mut limits = image::Limits::default();
+        (limits.max_image_width, limits.max_image_height) = (Some(LONGEST_SIDE), Some(LONGEST_SIDE));
+        limits.max_alloc = Some(MOST_BYTES);
+        reader.limits(limits);
+        let picture = reader.decode().map_err(|error| failed(error.to_string()))?.into_rgb8();
         let side = picture.width().min(picture.height());
         let (left, top) = ((picture.width() - side) / 2, (picture.height() - side) / 2);
         let square = image::imageops::crop_imm(&picture, left, top, side, side).to_image();

@@ -1,7 +1,7 @@
 //! Which key of a scene is at fault when one of the rooms complains.
 
 use crate::advice::Advice;
-use crate::evolve::{EvolveError, SetupError};
+use crate::evolve::{EvolveError, FarMove, SetupError};
 use crate::immersion::{BendingPart, NoAngle, PinError};
 use crate::metric::{MetricError, MetricPart, NoMetric};
 use crate::scene::{Scene, SceneError};
@@ -16,7 +16,7 @@ impl Scene {
             SetupError::Pin(error) => self.pin_fault(error),
             SetupError::Bending(error) => self.complain_about(&bending_key(error), error),
             SetupError::Surface(_) => self.complain_about("mesh", error),
-            SetupError::StartCount { .. } => self.complain_about("start", error),
+            SetupError::StartCount { .. } | SetupError::StartPlace { .. } => self.complain_about("start", error),
             SetupError::Shell(_) => self.complain_about("bending", error),
             SetupError::Poisson(_) => self.complain_about("metric", error),
         }
@@ -32,6 +32,8 @@ impl Scene {
             }
             EvolveError::Pin(error) => self.pin_fault(error),
             EvolveError::Bending(error) => self.complain_about(&bending_key(error), error),
+            EvolveError::TooFar { what: FarMove::Pin { .. }, .. } => self.complain_about("pin", error),
+            EvolveError::TooFar { what: FarMove::Edge { .. }, .. } => self.complain_about("clock.max_strain", error),
             _ => return None,
         })
     }

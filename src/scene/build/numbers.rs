@@ -15,9 +15,9 @@ impl Scene {
         for (name, section) in &self.parameters {
             let complain = |error: TimelineError| self.complain_about(&format!("parameters.{name}"), &error);
             // Before its value, which may be wrong because of the name.
-            parameters.with(name, Number::Constant(0.0)).map_err(complain)?;
+            parameters.check_name(name).map_err(complain)?;
             let number = number(section, &parameters).map_err(complain)?;
-            parameters = Arc::new(parameters.with(name, number).map_err(complain)?);
+            Parameters::add(&mut parameters, name, number).map_err(complain)?;
         }
         Ok(parameters)
     }

@@ -120,6 +120,17 @@ pub enum AnimationFormat {
     Mp4,
 }
 
+impl OutputSection {
+    /// The least width and height of H.264 video in pixels, and the most, whichever of the two is longer.
+    pub const VIDEO_SIDES: [[usize; 2]; 2] = [[2, 2], [3840, 2160]];
+
+    /// Whether there can be video of pictures of this width and height.
+    pub fn is_of_video(width: usize, height: usize) -> bool {
+        let [[least, _], [long, short]] = OutputSection::VIDEO_SIDES;
+        width.min(height) >= least && width.max(height) <= long && width.min(height) <= short
+    }
+}
+
 impl Default for OutputSection {
     fn default() -> Self {
         Self {

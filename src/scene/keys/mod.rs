@@ -1,5 +1,6 @@
 //! How the keys of a scene are read: tables and the kinds of values they hold, each described as it is read.
 
+mod choice;
 mod names;
 mod number;
 mod problems;

@@ -8,6 +8,7 @@ use super::problems::Problem;
 use super::spelling::suggestion;
 use super::value::{Bounds, Kind, Value, shown};
 use crate::mesh::{Selection, Weld};
+use crate::text::clipped;
 
 const WELDS: [(&str, Weld); 2] = [("exact", Weld::Exact), ("none", Weld::None)];
 
@@ -38,7 +39,7 @@ fn named<T: Clone>(name: &str, value: &Spanned<DeValue>, of: &[(&'static str, T)
     let found = of.iter().find(|(candidate, _)| *candidate == text).map(|(_, value)| value.clone());
     Some(found.ok_or_else(|| Problem {
         span: value.span(),
-        reason: format!("there is no {name} `{text}`"),
+        reason: format!("there is no {name} `{}`", clipped(text)),
         remedy: suggestion("names", text, &names),
     }))
 }

@@ -2,6 +2,11 @@
 
 /// The candidate closest to `word` in edits, if it is close enough to have been meant.
 pub(in crate::scene) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+    // Nobody has meant a name by a word of this length, and comparing them takes as long.
+    const LONGEST: usize = 100;
+    if word.len() > LONGEST {
+        return None;
+    }
     let word = word.to_lowercase().replace(['-', ' '], "_");
     let tolerance = 1 + word.chars().count() / 4;
     candidates

@@ -11,10 +11,8 @@ use toml::de::{DeTable, DeValue};
 
 use super::problems::{Problem, Problems};
 use super::spelling::suggestion;
-use super::value::{Bounds, Field, Kind, Value, Variant, shown};
-
-/// A name, what it means, and how the keys beside it are read.
-pub(in crate::scene) type NamedReader<T> = (&'static str, &'static str, fn(&mut Table) -> T);
+use super::value::{Bounds, Field, Kind, Value, shown};
+use crate::text::clipped;
 
 pub(in crate::scene) struct Table<'a> {
     /// In words, for messages: "[camera]".
@@ -25,7 +23,7 @@ pub(in crate::scene) struct Table<'a> {
     problems: &'a Problems,
     pub(in crate::scene) fields: Vec<Field>,
     /// A misspelt variant: its keys cannot be known.
-    any_keys: bool,
+    pub(super) any_keys: bool,
 }
 
 impl<'a> Table<'a> {
@@ -48,11 +46,11 @@ impl<'a> Table<'a> {
         self.entry(name).is_some()
     }
 
-    fn entry(&self, name: &str) -> Option<(&'a Spanned<toml::de::DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
+    pub(super) fn entry(&self, name: &str) -> Option<(&'a Spanned<toml::de::DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
         self.entries?.iter().find(|(key, _)| key.get_ref() == name)
     }
 
-    fn report(&self, span: Range<usize>, reason: String, remedy: impl FnOnce() -> String) {
+    pub(super) fn report(&self, span: Range<usize>, reason: String, remedy: impl FnOnce() -> String) {
         self.problems.push(span, reason, remedy);
     }
 
@@ -76,16 +74,9 @@ impl<'a> Table<'a> {
         let mut given: Vec<_> = names.iter().filter_map(|name| self.entry(name)).map(|(key, _)| key).collect();
         given.sort_by_key(|key| key.span().start);
         if let [first, second, ..] = given.as_slice() {
-            self.report(
-                second.span(),
-                format!(
-                    "{} has both `{}` and `{}`, which exclude each other",
-                    self.title,
-                    first.get_ref(),
-                    second.get_ref()
-                ),
-                || "remove one of them".into(),
-            );
+            let [one, other] = [first, second].map(|key| key.get_ref());
+            let reason = format!("{} has both `{one}` and `{other}`, which exclude each other", self.title);
+            self.report(second.span(), reason, || "remove one of them".into());
         }
     }
 
@@ -102,9 +93,8 @@ impl<'a> Table<'a> {
                 Some(table) => entries.extend(table.iter()),
                 None => {
                     let reason = format!("`{name}` is {}, it must be a table", shown(value.get_ref()));
-                    self.report(value.span(), reason, || {
-                        format!("write [{name}] on a line of its own, with its keys below")
-                    });
+                    let remedy = || format!("write [{name}] on a line of its own, with its keys below");
+                    self.report(value.span(), reason, remedy);
                 }
             }
         }
@@ -127,84 +117,6 @@ impl<'a> Table<'a> {
     /// Declares a key; the call is completed by [`Key::or`], [`Key::required`] or [`Key::optional`].
     pub(in crate::scene) fn key<T: Value>(&mut self, name: &'static str, doc: &'static str) -> Key<'_, 'a, T> {
         Key { table: self, name, doc, bounds: Bounds::default(), value: PhantomData }
-    }
-
-    /// Reads one of several names.
-    pub(in crate::scene) fn choice<T: Clone>(
-        &mut self,
-        name: &'static str,
-        doc: &'static str,
-        of: &[(&'static str, T)],
-    ) -> Option<T> {
-        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
-        let index = self.name_among(name, &names);
-        self.declare(name, doc, Kind::Choice(names));
-        index.map(|index| of[index].1.clone())
-    }
-
-    /// Reads one of several names, or a list of them.
-    pub(in crate::scene) fn choices<T: Copy + PartialEq>(
-        &mut self,
-        name: &'static str,
-        doc: &'static str,
-        of: &[(&'static str, T)],
-        default: &[T],
-    ) -> Vec<T> {
-        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
-        let kind = Kind::OneOrMore(names.clone());
-        let entries = self.entry(name).map(|(_, value)| match value.get_ref() {
-            DeValue::Array(list) if !list.is_empty() || default.is_empty() => list.iter().collect(),
-            _ => vec![value],
-        });
-        let chosen =
-            entries.map(|entries| entries.into_iter().filter_map(|entry| self.one_of(name, entry, of)).collect());
-        let usual: Vec<&str> = of.iter().filter(|(_, value)| default.contains(value)).map(|(name, _)| *name).collect();
-        self.fields.push(Field { name, doc, kind, default: Some(usual.into()), required: false });
-        chosen.unwrap_or_else(|| default.to_vec())
-    }
-
-    fn one_of<T: Copy>(&self, name: &str, entry: &Spanned<DeValue>, of: &[(&'static str, T)]) -> Option<T> {
-        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
-        let Some(text) = entry.get_ref().as_str() else {
-            let kind = Kind::OneOrMore(names.clone()).sentence();
-            let reason = format!("`{name}` is {}, it must be {kind}", shown(entry.get_ref()));
-            self.report(entry.span(), reason, || format!("write for example {name} = [\"{}\"]", names[0]));
-            return None;
-        };
-        let found = of.iter().find(|(candidate, _)| *candidate == text);
-        if found.is_none() {
-            self.report(entry.span(), format!("there is no {name} `{text}`"), || suggestion("names", text, &names));
-        }
-        found.map(|(_, value)| *value)
-    }
-
-    /// Reads a name that decides which other keys this table has.
-    pub(in crate::scene) fn variants<T>(
-        &mut self,
-        name: &'static str,
-        doc: &'static str,
-        of: &[NamedReader<T>],
-    ) -> Option<T> {
-        let names: Vec<&'static str> = of.iter().map(|(name, ..)| *name).collect();
-        let index = self.name_among(name, &names);
-        let variants = of.iter().map(|&(name, doc, read)| Variant { name, doc, fields: declared(read) }).collect();
-        self.declare(name, doc, Kind::Variants(variants));
-        self.any_keys |= self.has(name) && index.is_none();
-        index.map(|index| of[index].2(self))
-    }
-
-    fn name_among(&self, name: &str, names: &[&'static str]) -> Option<usize> {
-        let (_, value) = self.entry(name)?;
-        let Some(text) = value.get_ref().as_str() else {
-            let reason = format!("`{name}` is {}, it must be a name in quotes", shown(value.get_ref()));
-            self.report(value.span(), reason, || suggestion("names", "", names));
-            return None;
-        };
-        let index = names.iter().position(|candidate| *candidate == text);
-        if index.is_none() {
-            self.report(value.span(), format!("there is no {name} `{text}`"), || suggestion("names", text, names));
-        }
-        index
     }
 
     /// Reads a sub-table; one that is left out has its defaults.
@@ -296,7 +208,7 @@ impl<'a> Table<'a> {
         values
     }
 
-    fn declare(&mut self, name: &'static str, doc: &'static str, kind: Kind) {
+    pub(super) fn declare(&mut self, name: &'static str, doc: &'static str, kind: Kind) {
         self.fields.push(Field { name, doc, kind, default: None, required: false });
     }
 
@@ -310,7 +222,7 @@ impl<'a> Table<'a> {
         keys.sort_by_key(|(key, _)| key.span().start);
         for (key, _) in keys {
             if !names.contains(&key.get_ref().as_ref()) {
-                let reason = format!("there is no `{}` in {}", key.get_ref(), self.title);
+                let reason = format!("there is no `{}` in {}", clipped(key.get_ref()), self.title);
                 self.report(key.span(), reason, || suggestion("keys", key.get_ref(), &names));
             }
         }

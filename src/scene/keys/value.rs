@@ -5,6 +5,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use super::problems::Problem;
+use crate::text::clipped;
 
 /// What a number may be: a limit and whether the limit itself is excluded.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -107,9 +108,9 @@ impl Kind {
 /// What stands there, in words, for "`x` is …".
 pub(in crate::scene) fn shown(value: &DeValue) -> String {
     match value {
-        DeValue::String(text) => format!("the string {text:?}"),
-        DeValue::Integer(integer) => integer.to_string(),
-        DeValue::Float(float) => float.to_string(),
+        DeValue::String(text) => format!("the string {:?}", clipped(text)),
+        DeValue::Integer(integer) => clipped(&integer.to_string()).into_owned(),
+        DeValue::Float(float) => clipped(&float.to_string()).into_owned(),
         DeValue::Boolean(flag) => flag.to_string(),
         DeValue::Datetime(date) => format!("the date {date}"),
         DeValue::Array(_) => "a list".into(),
@@ -141,6 +142,9 @@ fn mismatch<T: Value>(name: &str, value: &Spanned<DeValue>, bounds: Bounds, exam
     }
 }
 
+/// How far from 0 the numbers of a scene may be: as far as coordinates and lengths.
+const LARGEST_NUMBER: f64 = 1e15;
+
 impl Value for f64 {
     fn kind(bounds: Bounds) -> Kind {
         Kind::Number(bounds)
@@ -159,6 +163,11 @@ impl Value for f64 {
                 span: value.span(),
                 reason: format!("`{name}` is {}, it must be finite", shown(value.get_ref())),
                 remedy: format!("write for example {example}"),
+            }),
+            Some(x) if x.abs() > LARGEST_NUMBER => Err(Problem {
+                span: value.span(),
+                reason: format!("`{name}` is {x:e}, and no number of a scene is above {LARGEST_NUMBER:e}"),
+                remedy: "use another unit, or leave the key out".into(),
             }),
             Some(x) if bounds.contains(x) => Ok(x),
             _ => Err(mismatch::<f64>(name, value, bounds, example)),

@@ -10,7 +10,7 @@ use crate::scene::data::MeshSection;
 use crate::scene::keys::Table;
 use crate::scene::keys::suggestion;
 
-/// Bounds that keep a mistyped number from asking for more memory than there is.
+/// Bounds that keep a mistyped number from asking for more memory than there is; the shapes limit their faces besides.
 const MAX_PARTS: f64 = 1000.0;
 const MAX_CELLS: f64 = 10_000.0;
 

@@ -108,6 +108,16 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
         table.complain("crop", reason, "write x, y, width and height of a part of it");
     }
     let animations = [("gif", AnimationFormat::Gif), ("apng", AnimationFormat::Apng), ("mp4", AnimationFormat::Mp4)];
+    let animation = table.choices("animation", "Moving pictures of the whole film.", &animations, &[]);
+    let [width, height] = crop.map_or(size, |[_, _, width, height]| [width, height]);
+    if animation.contains(&AnimationFormat::Mp4) && !OutputSection::is_of_video(width, height) {
+        let [[least, _], [long, short]] = OutputSection::VIDEO_SIDES;
+        let reason = format!(
+            "`animation` has \"mp4\", which takes pictures from {least} x {least} to {long} x {short} pixels, and these have \
+             {width} x {height}"
+        );
+        table.complain("animation", reason, "choose another `size`, or another format");
+    }
     OutputSection {
         size,
         samples,
@@ -115,7 +125,7 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
         exr: formats.contains(&true),
         depth,
         crop,
-        animation: table.choices("animation", "Moving pictures of the whole film.", &animations, &[]),
+        animation,
         frame_rate: table
             .key("frame_rate", "Frames a second of moving pictures.")
             .above(0.0)

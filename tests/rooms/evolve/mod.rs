@@ -11,4 +11,5 @@ mod resume;
 mod schedule;
 mod smoothness;
 mod threads;
+mod trouble;
 mod work_counts;

@@ -17,7 +17,7 @@ fn awkward() -> Surface {
     let mut positions = ball.positions.expect("points");
     positions.extend(ring.positions.expect("points").iter().map(|p| *p * 1e9 + DVec3::new(3e9, 0.1, -0.0)));
     positions[0] *= 1.0 + f64::EPSILON;
-    positions[1] = DVec3::new(f64::MIN_POSITIVE, -5e-324, 1.7976931348623157e308);
+    positions[1] = DVec3::new(f64::MIN_POSITIVE, -5e-324, 999999999999999.9);
     Surface::from_positions(positions, &faces).expect("a surface")
 }
 

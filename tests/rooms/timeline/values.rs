@@ -3,7 +3,8 @@
 use crate::support::{is_at, scene};
 use immerse::scene::{NumberSection, Scene};
 use immerse::timeline::{
-    Clock, Ease, Extrapolation, Formula, Keyframes, Number, Parameters, PointFormula, TimelineError, eased,
+    Clock, Ease, Extrapolation, Formula, Keyframes, LONGEST_FORMULA, MOST_PARAMETERS, Number, Parameters, PointFormula,
+    TimelineError, eased,
 };
 use std::sync::Arc;
 
@@ -21,7 +22,9 @@ fn formula(text: &str, parameters: &Arc<Parameters>) -> Result<Number, TimelineE
 
 /// With one more, which a formula gives.
 fn with(parameters: &Arc<Parameters>, name: &str, text: &str) -> Arc<Parameters> {
-    Arc::new(parameters.with(name, formula(text, parameters).expect(text)).expect(name))
+    let mut all = parameters.clone();
+    Parameters::add(&mut all, name, formula(text, parameters).expect(text)).expect(name);
+    all
 }
 
 #[test]
@@ -135,7 +138,7 @@ fn numbers_of_a_scene() {
     };
     let say = |section: NumberSection| {
         let scene = Scene { parameters: vec![("a".to_owned(), section)], ..Scene::default() };
-        scene.parameters().map(|parameters| (parameters.at(3.0).collect::<Vec<_>>(), parameters.changes(0)))
+        scene.parameters().map(|parameters| (parameters.at(3.0), parameters.changes(0)))
     };
     for (section, at_three, changes) in [
         (NumberSection::Constant(0.3), 0.3, false),
@@ -225,7 +228,7 @@ fn parameters_may_use_those_before_them() {
     .parameters()
     .expect("parameters");
     assert_eq!(all.names().collect::<Vec<_>>(), ["radius", "area", "growth", "fixed", "twice"]);
-    let at: Vec<f64> = all.at(0.5).collect();
+    let at = all.at(0.5);
     for (value, expected) in at.iter().zip([3.0, 9.0 * std::f64::consts::PI, 9.0 / 4.0 - 0.5, 1.5, 3.0]) {
         assert!((value - expected).abs() < 1e-14, "{at:?}");
     }
@@ -242,7 +245,10 @@ fn parameters_may_use_those_before_them() {
 
 #[test]
 fn names_of_parameters() {
-    let parameters = |name: &str| Parameters::default().with(name, Number::Constant(0.125)).map(Arc::new);
+    let parameters = |name: &str| {
+        let mut all = Arc::default();
+        Parameters::add(&mut all, name, Number::Constant(0.125)).map(|()| all)
+    };
     // A name may begin like a function or a constant.
     for name in ["a", "k", "height", "sinus", "expo", "PIe", "tau", "e1", "tt", "lengths", "x1", "E_0"] {
         let all = parameters(name).expect(name);
@@ -292,8 +298,9 @@ fn names_of_parameters() {
         }
     }
     // Nor is a name given twice.
-    let twice = parameters("a").expect("a name").with("a", Number::Constant(1.0));
-    assert_eq!(twice.map(|_| ()), Err(TimelineError::Name { name: "a".to_owned() }));
+    let mut all = parameters("a").expect("a name");
+    let twice = Parameters::add(&mut all, "a", Number::Constant(1.0));
+    assert_eq!(twice, Err(TimelineError::Name { name: "a".to_owned() }));
 }
 
 #[test]
@@ -353,4 +360,34 @@ fn the_clock_meets_its_ends() {
     }
     assert_eq!(clock("frames = 1\nstart = 0.25\n").times().collect::<Vec<_>>(), [0.25]);
     assert_eq!(clock("frames = 1\nstart = 0.25\nloop = true\n").times().collect::<Vec<_>>(), [0.25]);
+}
+
+#[test]
+fn formulas_and_parameters_have_limits_and_cost_what_they_are_long() {
+    // Each parameter uses the one before: evaluated once each, not once for every use.
+    let mut all: Arc<Parameters> = Arc::default();
+    let time = formula("t", &all).expect("t");
+    Parameters::add(&mut all, "p0", time).expect("p0");
+    for k in 1..MOST_PARAMETERS {
+        let number = formula(&format!("p{} + p{}", k - 1, k.saturating_sub(2)), &all).expect("a sum");
+        Parameters::add(&mut all, &format!("p{k}"), number).expect("a name");
+    }
+    let last = Formula::parse("p40 - p39 - p38", &[], &all).expect("known names");
+    assert_eq!((last.at(1.0).value(&[]), last.changes()), (0.0, true));
+    let one_more = Parameters::add(&mut all, "q", Number::Constant(1.0));
+    assert_eq!(one_more, Err(TimelineError::TooManyParameters { most: MOST_PARAMETERS }));
+    // Not all of a thousand names are listed.
+    let unknown = Formula::parse("nobody", &[], &all).expect_err("no such name").to_string();
+    assert!(unknown.contains("p19, 980 more parameters"), "{unknown}");
+
+    let sum = |terms: usize| format!("1{}", "+t".repeat(terms));
+    let longest = (LONGEST_FORMULA - 1) / 2;
+    let value = Formula::parse(&sum(longest), &[], &Arc::default()).expect("as long as it may be").at(1.0).value(&[]);
+    assert_eq!(value, 1.0 + longest as f64);
+    let too_long = Formula::parse(&sum(longest + 1), &[], &Arc::default());
+    assert_eq!(too_long.map(|_| ()), Err(TimelineError::TooLong { characters: 5001, most: LONGEST_FORMULA }));
+    // As deep as the length allows.
+    let (open, close) = ("(".repeat(2499), ")".repeat(2499));
+    let deep = Formula::parse(&format!("{open}t{close}"), &[], &Arc::default()).expect("deep").at(3.0).value(&[]);
+    assert_eq!(deep, 3.0);
 }

@@ -2,6 +2,9 @@
 
 use crate::mesh::read::problem::Problem;
 
+/// The most lines of a header, of which even those with many comments have some hundred.
+const MOST_LINES: usize = 10_000;
+
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Encoding {
     Ascii,
@@ -98,6 +101,10 @@ impl Header<'_> {
         let mut line = 0;
         loop {
             line += 1;
+            if line > MOST_LINES {
+                let reason = format!("the header has more than {MOST_LINES} lines");
+                return Err(Problem::at(line, reason, "remove what is not about vertices and faces"));
+            }
             let Some(end) = rest.iter().position(|&b| b == b'\n' || (old_mac && b == b'\r')) else {
                 return Err(Problem::at(line, "the header has no `end_header`", "give a PLY file"));
             };

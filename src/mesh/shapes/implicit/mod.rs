@@ -19,6 +19,9 @@ const SHAPE: &str = "implicit";
 /// Grid spacing in units of the edge length; finer than the result, so that remeshing has a choice.
 const GRID_SPACING: f64 = 0.75;
 const CELL_LIMIT: f64 = 30e6;
+/// Cells of the grid, and triangles of the first surface, times solids: some seconds' work for each. A triangle is taken
+/// up again and again until its edges are as long as they should be.
+const MOST_EVALUATIONS: [f64; 2] = [3e8, 5e6];
 
 /// The boundary of a solid as a closed surface with edges of about `edge_length`, all vertices on it.
 ///
@@ -41,11 +44,18 @@ pub fn implicit(solid: &Solid, edge_length: f64) -> Result<Surface, MeshError> {
         let fault = ShapeFault::TooManyCells { edge_length, cells: count, limit: CELL_LIMIT };
         return Err(invalid(SHAPE, "edge_length", fault).into());
     }
+    let solids = field.solids();
+    let is_too_much = |count: f64, most: f64| {
+        let fault = ShapeFault::TooManySolids { edge_length, solids, evaluations: count * solids as f64, limit: most };
+        if count * solids as f64 > most { Err(invalid(SHAPE, "edge_length", fault)) } else { Ok(()) }
+    };
+    is_too_much(count, MOST_EVALUATIONS[0])?;
     let grid = CubeGrid { low: low - margin, spacing, cells: cells.to_array().map(|n| n as usize) };
     let (positions, triangles) = isosurface(&grid, |p| field.at(p));
     if triangles.is_empty() {
         return Err(invalid(SHAPE, "edge_length", ShapeFault::NoSurface { edge_length }).into());
     }
+    is_too_much(triangles.len() as f64, MOST_EVALUATIONS[1])?;
     face_count(SHAPE, "edge_length", triangles.len() as f64, "raise `edge_length`")?;
     let (positions, triangles) = Remesher::new(|p| field.at(p), edge_length, positions, &triangles).run();
     // Compacts; the triangles are oriented already.

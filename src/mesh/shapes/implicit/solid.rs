@@ -111,6 +111,14 @@ impl Field {
         }
     }
 
+    /// Number of solids that are no groups.
+    pub(super) fn solids(&self) -> usize {
+        match self {
+            Field::Group(parts) => parts.iter().map(|part| part.field.solids()).sum(),
+            _ => 1,
+        }
+    }
+
     /// A box around the solid: smallest and largest corner.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
         match self {
