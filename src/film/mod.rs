@@ -9,7 +9,7 @@ mod error;
 mod leftovers;
 mod pictures;
 
-pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, Manifest, MeshCounts};
+pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;
 pub use leftovers::{Leftovers, clear_leftovers};
 pub use pictures::{

@@ -65,6 +65,20 @@ pub enum DiskError {
         /// How to get it back.
         remedy: &'static str,
     },
+    /// Another process writes there.
+    #[error("{}: another process is at work in this folder ({holder}); {}", path.display(), self.remedy())]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+        /// Who that is.
+        holder: String,
+    },
+    /// A link where the program writes.
+    #[error("{}: this link leads out of the folder of the film, and nothing was written; {}", path.display(), self.remedy())]
+    LeadsOut {
+        /// The link.
+        path: PathBuf,
+    },
     /// A frame that is not fit to be kept.
     #[error("frame {frame} was not written: {reason}")]
     Unfit {
@@ -94,12 +108,21 @@ impl Advice for DiskError {
             }
             DiskError::Missing { .. } => "simulate it first".into(),
             DiskError::Damaged { remedy, .. } => (*remedy).to_owned(),
+            DiskError::Busy { .. } => "try again when it is done, or name another folder with --out".into(),
+            DiskError::LeadsOut { .. } => {
+                "name the folder where the film is to be with --out, or remove the link".into()
+            }
             DiskError::Unfit { reason, .. } => reason.remedy(),
         }
     }
 }
 
 impl DiskError {
+    /// Whether another input would help, rather than another machine or another try.
+    pub fn is_fault_of_input(&self) -> bool {
+        !matches!(self, DiskError::Io { .. } | DiskError::Unfit { .. } | DiskError::Busy { .. })
+    }
+
     /// A scene's film is in renders/<name>, unless somebody said else, and files of a film are in its folder.
     pub(super) fn not_a_folder(path: &Path) -> DiskError {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

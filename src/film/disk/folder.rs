@@ -12,6 +12,7 @@ use super::mesh_file::{FilmMesh, file_faces_of, triangles_of};
 use super::seal::{SealError, read, remove, seal, unseal, write_whole};
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
+use crate::whole_file;
 
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
 #[derive(Serialize, Deserialize)]
@@ -73,7 +74,7 @@ impl FilmFolder {
     }
 
     fn create(folder: &Path, spec: &FilmSpec, mesh: &FilmMesh) -> Result<FilmFolder, DiskError> {
-        fs::create_dir_all(folder).map_err(DiskError::io(folder, "created"))?;
+        whole_file::create_folder(folder).map_err(DiskError::io(folder, "created"))?;
         let path = folder.join("mesh.npz");
         let bytes = mesh.to_npz().map_err(DiskError::io(&path, "written"))?;
         write_unless_same(&path, &bytes)?;
@@ -83,7 +84,7 @@ impl FilmFolder {
     /// Writes the manifest of a film whose mesh is there.
     fn begin(folder: &Path, spec: &FilmSpec, mesh: MeshCounts, mesh_crc32: u32) -> Result<FilmFolder, DiskError> {
         let frames = folder.join("frames");
-        fs::create_dir_all(&frames).map_err(DiskError::io(&frames, "created"))?;
+        whole_file::create_folder(&frames).map_err(DiskError::io(&frames, "created"))?;
         let manifest = Manifest {
             format: FORMAT,
             scene: spec.scene.clone(),

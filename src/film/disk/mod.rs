@@ -8,6 +8,7 @@
 //!                          x, y and z of scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, and the checksum of the state
+//!     .lock                who writes there, while somebody does
 //! ```
 //!
 //! Every file appears whole or not at all: it is written under a temporary name in the same folder,
@@ -17,6 +18,7 @@
 mod error;
 mod folder;
 mod frame_file;
+mod lock;
 mod manifest;
 mod mesh_file;
 mod npz;
@@ -24,5 +26,6 @@ mod seal;
 
 pub use error::DiskError;
 pub use folder::FilmFolder;
+pub use lock::FolderLock;
 pub use manifest::{FilmSpec, Manifest, MeshCounts};
 pub use mesh_file::FilmMesh;
