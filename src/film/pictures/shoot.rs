@@ -25,6 +25,7 @@ pub(super) fn shoot<T: Send>(
     let shots = Shots::new(plan, subject, extent, spreads, *output)?;
     let after = |frame: usize| if plan.looks_ahead() { plan.after(frame) } else { None };
     let at_a_time = at_a_time(picture_bytes(plan, output) + reel.frame_bytes());
+    let go_on = reel.watch();
     let load = |wave: std::ops::Range<usize>| {
         let here = &frames[wave];
         let mut wanted: Vec<usize> =
@@ -34,10 +35,12 @@ pub(super) fn shoot<T: Send>(
         reel.load(&wanted)
     };
     let make = |loaded: &Frames, index: usize| {
+        go_on()?;
         let number = frames[index];
         let frame = &loaded[&number];
         let next = after(number).and_then(|next| loaded.get(&next));
         let picture = shots.take(frame, next.map(AsRef::as_ref))?;
+        go_on()?;
         let shown = Shown { number, metadata: shots.metadata(frame) };
         Ok((number, picture.skipped_triangles(), finish(&picture, &shown)?))
     };
