@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::failure::PipelineError;
-use super::progress::Stages;
+use super::process::Session;
+use super::progress::Log;
 use super::set_up::{SetUp, at_fault, contradictions};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
@@ -24,26 +25,28 @@ pub struct Summary {
 /// Computes the frames that are not there yet and makes pictures of some, given by number in order, at the same time.
 /// Tells of both, in this order. If one fails the other ends; what is complete stays.
 ///
-/// Must not be called on a thread of a pool: pictures wait for frames here, and frames are computed there.
+/// Pictures wait for frames on the thread that calls this, and frames are computed on those of the pool. Where this
+/// thread is all there is of the pool, one is done after the other.
 pub(super) fn run(
     scene: &Scene,
     folder: &Path,
+    restart: bool,
     frames: &[usize],
-    simulating: &mut dyn Stages,
-    picturing: &mut dyn Stages,
+    session: &Session,
 ) -> Result<[Summary; 2], PipelineError> {
-    let arrivals = Arrivals::default();
-    let mut simulated = None;
-    let pictured = rayon::in_place_scope(|scope| {
-        scope.spawn(|_| {
-            simulated = Some(simulate_for(scene, folder, false, &arrivals, simulating));
-            arrivals.end();
-        });
-        let watch = &mut |event| pass_on(event, picturing);
-        let made = film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch);
-        // Pictures may fail because no more frames come, but then frames failed first.
-        made.map_err(|error| (arrivals.stop(), error))
-    });
+    if rayon::current_thread_index().is_some() {
+        let simulated = simulate(scene, folder, restart, session)?;
+        return Ok([simulated, render_frames(scene, folder, frames, session)?]);
+    }
+    let arrivals = Arrivals::default().unless(session.signals.flag());
+    let (simulated, pictured) = side_by_side(
+        &arrivals,
+        || simulate_for(scene, folder, restart, &arrivals, &session.log),
+        || {
+            let watch = &mut |event| session.log.pictures(event);
+            film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)
+        },
+    );
     match (simulated, pictured) {
         (Some(Err(error)), Ok(_) | Err((false, _))) => Err(error),
         (_, Err((_, error))) => Err(error.into()),
@@ -51,16 +54,37 @@ pub(super) fn run(
     }
 }
 
+/// Supplies arrivals on a thread of the pool and takes them on this one. If one of the two fails or panics the other
+/// does not wait for it. An error of the one who takes comes with whether more would have arrived: otherwise the
+/// supply failed first.
+fn side_by_side<S: Send, T, E>(
+    arrivals: &Arrivals,
+    supply: impl FnOnce() -> S + Send,
+    take: impl FnOnce() -> Result<T, E>,
+) -> (Option<S>, Result<T, (bool, E)>) {
+    let mut supplied = None;
+    let taken = rayon::in_place_scope(|scope| {
+        scope.spawn(|_| {
+            let _ends = arrivals.supply();
+            supplied = Some(supply());
+        });
+        let _stops = arrivals.demand();
+        take().map_err(|error| (arrivals.stop(), error))
+    });
+    (supplied, taken)
+}
+
 /// Computes the frames that are not there yet.
 pub(super) fn simulate(
     scene: &Scene,
     folder: &Path,
     restart: bool,
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<Summary, PipelineError> {
+    let arrivals = Arrivals::default().unless(session.signals.flag());
     // On a thread of the pool, where work in parallel begins and ends at less cost.
     let mut summary = None;
-    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &Arrivals::default(), progress)));
+    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &arrivals, &session.log)));
     summary.transpose().map(Option::unwrap_or_default)
 }
 
@@ -70,14 +94,14 @@ fn simulate_for(
     folder: &Path,
     restart: bool,
     arrivals: &Arrivals,
-    progress: &mut dyn Stages,
+    log: &Log,
 ) -> Result<Summary, PipelineError> {
-    progress.begin("set up", None);
+    log.setting_up();
     let set_up = SetUp::of(scene)?;
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
-    set_up.notes.iter().for_each(|note| progress.note(note));
+    set_up.notes.iter().for_each(|note| log.note(note));
     // A time without a metric is told when its frame is made.
-    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
+    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| log.warning(warning));
     let (spec, mesh) = (FilmSpec::of(scene), set_up.film_mesh(scene));
     let mut simulation = set_up.simulation;
     let film = if restart {
@@ -96,11 +120,13 @@ fn simulate_for(
             }
         })?;
     }
+    log.begin_film(kept, scene.clock.frames);
     arrivals.reach(kept);
     for number in kept + 1..=scene.clock.frames {
-        let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
+        let mut watcher = Watcher { log, arrivals };
         let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
         film.write_frame(&frame)?;
+        log.frame_done(&frame.report);
         arrivals.reach(number);
     }
     Ok(Summary { made: scene.clock.frames - kept, kept })
@@ -108,24 +134,13 @@ fn simulate_for(
 
 /// Passes the progress of a relaxation on.
 struct Watcher<'a> {
-    progress: &'a mut dyn Stages,
+    log: &'a Log,
     arrivals: &'a Arrivals,
-    phase: Option<(usize, usize)>,
 }
 
 impl Observer for Watcher<'_> {
     fn after_step(&mut self, now: &evolve::Progress) -> ControlFlow<()> {
-        let following = now.phase >= now.phases;
-        let mut name =
-            if following { format!("frame {}", now.frame) } else { format!("phase {}/{}", now.phase + 1, now.phases) };
-        if now.components > 1 {
-            name = format!("component {}/{}, {name}", now.component + 1, now.components);
-        }
-        if self.phase != Some((now.component, now.phase)) {
-            self.phase = Some((now.component, now.phase));
-            self.progress.begin(&name, Some(now.max_steps));
-        }
-        self.progress.advance(now.step, Some(now.l2_length_error));
+        self.log.step(now);
         if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
@@ -135,9 +150,11 @@ pub(super) fn render_frames(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<Summary, PipelineError> {
-    let made = film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?;
+    let arrivals = Arrivals::over().unless(session.signals.flag());
+    let watch = &mut |event| session.log.pictures(event);
+    let made = film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)?;
     Ok(Summary { made, kept: 0 })
 }
 
@@ -145,27 +162,61 @@ pub(super) fn render_frames(
 pub(super) fn poster(
     scene: &Scene,
     folder: &Path,
+    restart: bool,
     path: &Path,
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<(), PipelineError> {
-    simulate(scene, folder, false, progress)?;
-    Ok(film::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
+    simulate(scene, folder, restart, session)?;
+    Ok(film::make_poster(scene, folder, path, &mut |event| session.log.pictures(event))?)
 }
 
 /// Makes one picture of a simulated scene in all looks.
-pub(super) fn look_sheet(
-    scene: &Scene,
-    folder: &Path,
-    path: &Path,
-    progress: &mut dyn Stages,
-) -> Result<(), PipelineError> {
-    Ok(film::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
+pub(super) fn look_sheet(scene: &Scene, folder: &Path, path: &Path, session: &Session) -> Result<(), PipelineError> {
+    Ok(film::make_look_sheet(scene, folder, path, &mut |event| session.log.pictures(event))?)
 }
 
-fn pass_on(event: film::Event, progress: &mut dyn Stages) {
-    match event {
-        film::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
-        film::Event::Done(done) => progress.advance(done, None),
-        film::Event::Note(text) => progress.note(&text),
+#[cfg(test)]
+mod tests {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    use std::sync::mpsc;
+    use std::thread;
+    use std::time::Duration;
+
+    use super::*;
+
+    /// Whether this panics, and does not wait for ever.
+    fn panics(work: impl FnOnce() + Send + 'static) -> bool {
+        let (tell, told) = mpsc::channel();
+        thread::spawn(move || tell.send(catch_unwind(AssertUnwindSafe(work)).is_err()));
+        told.recv_timeout(Duration::from_secs(30)).expect("it waits for ever")
+    }
+
+    #[test]
+    fn a_panic_on_one_side_ends_the_other() {
+        assert!(panics(|| {
+            let arrivals = Arrivals::default();
+            let take = || if arrivals.wait_for(1) { Ok(()) } else { Err(()) };
+            let _ = side_by_side(&arrivals, || panic!("a fault of the supply"), take);
+        }));
+        assert!(panics(|| {
+            let arrivals = Arrivals::default();
+            let supply = || {
+                while !arrivals.is_stopped() {
+                    thread::sleep(Duration::from_millis(1));
+                }
+            };
+            let _ = side_by_side::<_, (), ()>(&arrivals, supply, || panic!("a fault of the one who takes"));
+        }));
+    }
+
+    #[test]
+    fn each_side_tells_its_outcome() {
+        let arrivals = Arrivals::default();
+        let supply = || arrivals.reach(1);
+        let take = || if arrivals.wait_for(1) { Ok(1) } else { Err("nothing came") };
+        assert_eq!(side_by_side(&arrivals, supply, take), (Some(()), Ok(1)));
+        let arrivals = Arrivals::default();
+        let take = || if arrivals.wait_for(1) { Ok(1) } else { Err("nothing came") };
+        assert_eq!(side_by_side(&arrivals, || (), take), (Some(()), Err((false, "nothing came"))));
     }
 }

@@ -18,6 +18,7 @@ mod frame_rates;
 mod interrupted;
 mod leftovers;
 mod overlap;
+mod process;
 mod shipped_scenes;
 mod step_limit;
 mod verdict;
