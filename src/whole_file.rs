@@ -120,22 +120,3 @@ fn folder_of(path: &Path) -> &Path {
         _ => Path::new("."),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn only_unfinished_files_of_this_program_are_swept() {
-        let (young, old) = (|| Duration::ZERO, || Duration::from_secs(4000));
-        assert!(is_unfinished(".immerse-aB3xYz.part", young));
-        for former in [".aB3xYz.part", ".immerse-aB3xYz"] {
-            assert!(!is_unfinished(former, young) && is_unfinished(former, old), "{former}");
-        }
-        for other in
-            ["000001.png", ".immerse-notes.part.txt", ".part", ".immerse-.part", ".lock", ".a b c.part", ".immerse"]
-        {
-            assert!(!is_unfinished(other, old), "{other}");
-        }
-    }
-}

@@ -18,7 +18,7 @@ use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::{count_classes, folder_of};
-use crate::film::{self, FilmFolder, Leftovers};
+use crate::film::{self, FilmFolder, Leftovers, Plan};
 use crate::scene::{MeshSection, OutputSection, Scene};
 use crate::whole_file;
 
@@ -118,7 +118,8 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
         Command::Render { film, restart: _, pictures } => {
             let (mut scene, folder) = open(film)?;
             let frames = pictures.apply(&mut scene)?;
-            // Nothing is begun where there is no film.
+            // Nothing is begun for a picture that cannot be made, or where there is no film.
+            Plan::of(&scene).map_err(PipelineError::from)?;
             FilmFolder::open(&folder).map_err(PipelineError::from)?;
             session.hold(&folder)?;
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;

@@ -44,34 +44,3 @@ pub(super) fn in_words(left: Duration) -> String {
         _ => format!("about {} h {:02} min left", seconds / 3600, seconds % 3600 / 60),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_for_times() {
-        for (seconds, words) in [
-            (3, "a few seconds left"),
-            (37, "about 40 s left"),
-            (100, "about 2 min left"),
-            (5399, "about 90 min left"),
-            (11_100, "about 3 h 05 min left"),
-        ] {
-            assert_eq!(in_words(Duration::from_secs(seconds)), words);
-        }
-    }
-
-    #[test]
-    fn the_first_part_may_be_like_no_other() {
-        let mut pace = Pace::default();
-        assert_eq!(pace.left(10), None);
-        pace.begin();
-        pace.done(false);
-        assert_eq!(pace.left(10), None);
-        std::thread::sleep(Duration::from_millis(20));
-        pace.done(true);
-        let left = pace.left(10).expect("a part is known");
-        assert!(left > Duration::from_millis(150) && left < Duration::from_secs(5), "{left:?}");
-    }
-}

@@ -4,6 +4,8 @@ mod estimate;
 mod log;
 mod record;
 mod standing;
+#[cfg(test)]
+mod tests;
 mod voice;
 
 pub(super) use log::Log;

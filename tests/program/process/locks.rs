@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::process::Output;
+use std::time::{Duration, SystemTime};
 
 use super::{assert_code, assert_same, assert_tidy, end_of, err, files, film, folder_with, start, wait_until};
 
@@ -86,9 +87,19 @@ fn a_lock_without_a_holder_is_no_obstacle() {
     let at = folder.path();
     fs::create_dir(at.join("out")).expect("a folder");
     fs::write(at.join("out/.lock"), "process 1 on moon, since ever: immerse run film.toml\n").expect("a file");
-    fs::write(at.join("out/.immerse-aB3xYz.part"), "half a picture").expect("a file");
+    // What was begun by this version of the program goes, by a former one after a while; what others put there stays.
+    let begin = |name: &str, age: u64| {
+        let file = fs::File::create(at.join("out").join(name)).expect("a file");
+        file.set_modified(SystemTime::now() - Duration::from_secs(age)).expect("a time");
+    };
+    let gone = [(".immerse-aB3xYz.part", 0), (".aB3xYz.part", 4000), (".immerse-aB3xYz", 4000)];
+    gone.iter().for_each(|(name, age)| begin(name, *age));
+    let staying = [(".aB3xYz.part", 60), (".notes.part", 60), (".immerse-notes.part.txt", 4000), (".part", 4000)];
     assert_code(&end_of(start(at, &["run", "film.toml", "--out", "out", "-q"])), 0);
     assert_tidy(&at.join("out"));
+    staying.iter().for_each(|(name, age)| begin(name, *age));
+    assert_code(&end_of(start(at, &["run", "film.toml", "--out", "out", "-q"])), 0);
+    assert!(staying.iter().all(|(name, _)| at.join("out").join(name).exists()), "something of others is gone");
 }
 
 #[test]
