@@ -8,7 +8,7 @@ use super::estimate::Pace;
 use super::record::Facts;
 use super::standing::{Frames, Kept, Pictures, Standing};
 use super::voice::{LogFormat, Voice};
-use crate::cli::diagnostics::explain;
+use crate::cli::diagnostics::{explain, one_line};
 use crate::evolve::{FrameReport, Progress};
 use crate::film::Event;
 use crate::scene::SceneErrors;
@@ -87,7 +87,7 @@ impl Log {
 
     /// What follows is of this scene.
     pub fn of_scene(&self, name: &str) {
-        self.state().standing = Standing { scene: Some(name.to_owned()), ..Standing::default() };
+        self.state().standing = Standing { scene: Some(one_line(name).into_owned()), ..Standing::default() };
     }
 
     /// A simulation is set up.

@@ -125,6 +125,23 @@ fn whoever_waits_for_a_folder_can_be_told_to_stop() {
     assert_tidy(&at.join("out"));
 }
 
+#[test]
+fn a_gallery_ends_between_its_pictures() {
+    let folder = folder_with(&film(8, FRAMES, ""));
+    let at = folder.path();
+    fs::write(at.join("other.toml"), film(8, 2, "")).expect("a scene");
+    let arguments = ["gallery", "other.toml", "film.toml", "--out", "out", "--work", "work", "-q"];
+    let child = start(at, &arguments);
+    wait_until("the second film has begun", has(at, "work/film/frames/000003.json"));
+    let output = after("-INT", child);
+    assert_code(&output, 130);
+    assert!(err(&output).contains(&format!("of {FRAMES} frames are kept")), "{}", err(&output));
+    assert!(at.join("out/other.png").exists() && !at.join("out/film.png").exists());
+    assert_tidy(at);
+    assert_code(&end_of(start(at, &arguments)), 0);
+    assert!(at.join("out/film.png").exists());
+}
+
 /// As `nohup` does.
 #[cfg(target_os = "linux")]
 #[test]
