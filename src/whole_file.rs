@@ -2,11 +2,18 @@
 //! own, which is then renamed. What is read is a regular file of a size that has a limit, and never a device or a pipe,
 //! which may have no end.
 
-use std::fs::{File, FileType};
+use std::fs::{self, File, FileType};
 use std::io::{self, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 
 use tempfile::NamedTempFile;
+
+/// How temporary names begin and end; in between stand six letters and digits.
+const BEGINNING: &str = ".immerse-";
+const ENDING: &str = ".part";
+/// Names of former versions say less of whose they are, so that files that somebody may be writing are left alone.
+const FORMER_AGE: Duration = Duration::from_secs(3600);
 
 /// A file in the making, in the folder of the path that it is to have, with the rights of any new file.
 ///
@@ -14,7 +21,7 @@ use tempfile::NamedTempFile;
 /// What the system says.
 pub(crate) fn begin(path: &Path) -> io::Result<NamedTempFile> {
     let mut builder = tempfile::Builder::new();
-    builder.prefix(".").suffix(".part");
+    builder.prefix(BEGINNING).suffix(ENDING);
     // Temporary files are for their owner alone, and this one is to stay.
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
@@ -29,9 +36,7 @@ pub(crate) fn publish(file: NamedTempFile, path: &Path) -> io::Result<()> {
     file.as_file().sync_all()?;
     file.persist(path).map_err(|error| error.error)?;
     // The rename itself lasts only once the folder is on disk.
-    #[cfg(unix)]
-    File::open(folder_of(path))?.sync_all()?;
-    Ok(())
+    sync(folder_of(path))
 }
 
 /// Writes a file of these bytes.
@@ -94,6 +99,73 @@ fn kind(of: FileType) -> &'static str {
         }
     }
     if of.is_dir() { "a folder" } else { "something else" }
+}
+
+/// Writes a file of these bytes where there is none.
+///
+/// # Errors
+/// What the system says, also if there is one; then nothing is changed.
+pub(crate) fn write_new(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = begin(path)?;
+    file.write_all(bytes)?;
+    file.as_file().sync_all()?;
+    file.persist_noclobber(path).map_err(|error| error.error)?;
+    sync(folder_of(path))
+}
+
+/// Creates a folder that lasts, and those that it is in. Returns those that were not there before, the outermost first.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn create_folder(path: &Path) -> io::Result<Vec<PathBuf>> {
+    let is_missing = |folder: &&Path| !folder.as_os_str().is_empty() && !folder.is_dir();
+    let missing: Vec<&Path> = path.ancestors().take_while(is_missing).collect();
+    let mut created = Vec::new();
+    for folder in missing.into_iter().rev() {
+        match fs::create_dir(folder) {
+            Ok(()) => {
+                created.push(folder.to_owned());
+                sync(folder_of(folder))?;
+            }
+            // Somebody else was faster.
+            Err(_) if folder.is_dir() => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(created)
+}
+
+/// Removes the files of a folder that were begun and never got their name, as when the program was killed. Whoever calls
+/// this must be the only one who writes there.
+pub(crate) fn sweep(folder: &Path) {
+    // What cannot be removed is in nobody's way.
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let is_file = || entry.file_type().is_ok_and(|kind| kind.is_file());
+        if is_unfinished(&entry.file_name().to_string_lossy(), || age(&entry)) && is_file() {
+            let _ = fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// Whether this is the name of a file in the making, of this version of the program or, after a while, of a former one.
+fn is_unfinished(name: &str, age: impl Fn() -> Duration) -> bool {
+    let is_random = |middle: &str| middle.len() == 6 && middle.bytes().all(|b| b.is_ascii_alphanumeric());
+    let between = |beginning, ending| {
+        name.strip_prefix(beginning).and_then(|rest: &str| rest.strip_suffix(ending)).is_some_and(is_random)
+    };
+    between(BEGINNING, ENDING) || ((between(".", ENDING) || between(BEGINNING, "")) && age() > FORMER_AGE)
+}
+
+/// Since a file was last written.
+fn age(entry: &fs::DirEntry) -> Duration {
+    let written = entry.metadata().and_then(|metadata| metadata.modified()).unwrap_or_else(|_| SystemTime::now());
+    written.elapsed().unwrap_or_default()
+}
+
+/// Sees to it that what a folder lists is on disk.
+fn sync(folder: &Path) -> io::Result<()> {
+    // Only there a folder can be opened.
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
 }
 
 fn folder_of(path: &Path) -> &Path {

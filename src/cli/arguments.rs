@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use clap::{Args, Parser, Subcommand};
 
 use super::picture_options::PictureOptions;
+use super::progress::LogFormat;
 
 /// Shape from metric: give a surface its edge lengths, get its shape; let the metric change, get the film.
 #[derive(Debug, Parser)]
@@ -16,13 +17,16 @@ pub(super) struct Arguments {
     /// Number of threads; the result does not depend on it [default: all processors]
     #[arg(long, global = true, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
+    /// How things are said on standard error; JSON is one object a line, as docs/program.md has it
+    #[arg(long, global = true, value_name = "FORMAT", default_value = "text")]
+    pub log: LogFormat,
     /// No progress on standard error
     #[arg(long, short, global = true)]
     pub quiet: bool,
 }
 
-const EXIT_CODES: &str =
-    "Exit codes: 0 done, 1 failed while running or a check does not hold, 2 the input is at fault.";
+const EXIT_CODES: &str = "Exit codes: 0 done, 1 failed while running or a check does not hold, 2 the input is at fault, 75 another process is at \
+     work in the folder, 129, 130 or 143 ended by SIGHUP, SIGINT or SIGTERM.";
 
 #[derive(Debug, Subcommand)]
 pub(super) enum Command {
@@ -30,6 +34,9 @@ pub(super) enum Command {
     Run {
         #[command(flatten)]
         film: Film,
+        /// Begin anew, replacing frames and pictures that are there
+        #[arg(long)]
+        restart: bool,
         #[command(flatten)]
         pictures: PictureOptions,
     },
@@ -45,6 +52,9 @@ pub(super) enum Command {
     Render {
         #[command(flatten)]
         film: Film,
+        /// Make all pictures anew
+        #[arg(long)]
+        restart: bool,
         #[command(flatten)]
         pictures: PictureOptions,
     },
@@ -59,6 +69,9 @@ pub(super) enum Command {
         /// Folder for the films
         #[arg(long, value_name = "DIR", default_value = "target/gallery")]
         work: PathBuf,
+        /// Begin all films anew
+        #[arg(long)]
+        restart: bool,
     },
     /// Validate a scene and all it names, and touch nothing
     Check {
@@ -93,6 +106,27 @@ pub(super) enum Command {
     },
     /// Print the manual page
     Man,
+}
+
+impl Command {
+    /// Whether files are written, so that it takes care to end between two of them.
+    pub fn writes(&self) -> bool {
+        matches!(
+            self,
+            Command::Run { .. } | Command::Simulate { .. } | Command::Render { .. } | Command::Gallery { .. }
+        )
+    }
+
+    /// Whether it begins anew whatever is there.
+    pub fn restarts(&self) -> bool {
+        match self {
+            Command::Run { restart, .. }
+            | Command::Simulate { restart, .. }
+            | Command::Render { restart, .. }
+            | Command::Gallery { restart, .. } => *restart,
+            _ => false,
+        }
+    }
 }
 
 #[derive(Args, Debug)]

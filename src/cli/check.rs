@@ -1,7 +1,7 @@
 //! What is worth saying of a scene before anything is computed.
 
-use super::diagnostics::say;
 use super::failure::PipelineError;
+use super::progress::Log;
 use super::selections::selection_notes;
 use super::set_up::{SetUp, contradictions, frame_keys};
 use crate::evolve::Simulation;
@@ -11,10 +11,10 @@ use crate::scene::{Scene, SpinSection, clock_of, phases_as_text};
 use crate::spin::{Class, SpinError};
 
 /// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
-pub(super) fn check(scene: &Scene) -> Result<Vec<String>, PipelineError> {
+pub(super) fn check(scene: &Scene, log: &Log) -> Result<Vec<String>, PipelineError> {
     let SetUp { mut simulation, places, notes: of_mesh } = SetUp::of(scene)?;
     frame_keys(scene, &mut simulation)?;
-    contradictions(scene, &simulation)?.iter().for_each(say);
+    contradictions(scene, &simulation)?.iter().for_each(|warning| log.warning(warning));
     let plan = Plan::of(scene)?;
     let [width, height] = plan.size();
     let mesh = simulation.mesh();

@@ -1,25 +1,26 @@
 //! What each command does, and with which exit code it ends.
 
-use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::{CommandFactory, Parser};
 
 use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::check;
-use super::diagnostics::{say, say_scene_errors};
+use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, Summary};
-use super::progress::Bar;
+use super::process::{Answers, Session, Signals, make_pool, supervised};
+use super::progress::{Kept, Log, LogFormat};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
-use super::set_up::count_classes;
-use crate::film::DiskError;
-use crate::film::{self, Leftovers};
+use super::set_up::{count_classes, folder_of};
+use crate::film::{self, FilmFolder, Leftovers, Plan};
 use crate::scene::{MeshSection, OutputSection, Scene};
+use crate::whole_file;
 
 /// The scene that `new` writes.
 const STARTER: &str = include_str!("starter.toml");
@@ -28,91 +29,124 @@ const STARTER: &str = include_str!("starter.toml");
 pub fn main() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(error) => {
-            // Help goes to standard output with code 0, mistakes to standard error with code 2.
-            return match error.print() {
-                Ok(()) => ExitCode::from(if error.use_stderr() { 2 } else { 0 }),
-                Err(error) => report(Err(error.into())),
-            };
-        }
+        Err(error) => return ExitCode::from(say_usage(&error)),
     };
-    report(in_threads(&arguments))
+    let log = Log::new(arguments.log, arguments.quiet);
+    let session = Arc::new(Session::new(log, Signals::new(arguments.command.writes())));
+    let restarts = arguments.command.restarts();
+    let at_work = session.clone();
+    let outcome = supervised(&session, move || execute(&arguments, &at_work));
+    // What fails after a signal fails because of it.
+    let outcome = outcome.map_err(|failure| match session.signals.received() {
+        Some(signal) => Failure::Interrupted { signal },
+        None => failure,
+    });
+    session.let_all_go();
+    session.log.finish();
+    let code = outcome.map_or_else(|failure| say_failure(&failure, &session.log, restarts), |()| 0);
+    session.log.end(code);
+    ExitCode::from(code)
 }
 
-fn report(outcome: Result<(), Failure>) -> ExitCode {
-    let Err(failure) = outcome else { return ExitCode::SUCCESS };
-    match &failure {
-        // The reader has seen enough, as in `immerse schema | head`.
-        Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
-        Failure::Pipeline(PipelineError::Scene(errors)) => say_scene_errors(errors),
-        Failure::NotWell => {}
-        other => say(format_args!("error: {other}")),
+/// Help goes to standard output with code 0, mistakes to standard error with code 2, whether or not anybody reads them.
+fn say_usage(error: &clap::Error) -> u8 {
+    match error.print() {
+        _ if error.use_stderr() => 2,
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            let failure = Failure::Output(error);
+            Log::new(LogFormat::Text, true).error(&failure);
+            failure.code()
+        }
+        _ => 0,
     }
+}
+
+/// Says why a command failed; returns the exit code.
+fn say_failure(failure: &Failure, log: &Log, restarts: bool) -> u8 {
     match failure {
-        Failure::Pipeline(error) if !error.is_fault_of_input() => ExitCode::from(1),
-        Failure::Output(_) | Failure::NotWell => ExitCode::from(1),
-        Failure::Pipeline(_)
-        | Failure::Frames(_)
-        | Failure::New { .. }
-        | Failure::Folder { .. }
-        | Failure::Threads(_) => ExitCode::from(2),
+        Failure::Pipeline(PipelineError::Scene(errors)) => log.mistakes(errors),
+        Failure::Interrupted { .. } => log.note(what_is_kept(log.kept(), restarts)),
+        Failure::NotWell => {}
+        other => log.error(other),
     }
+    failure.code()
 }
 
-/// Gives the program as many threads as it is asked to take.
-fn in_threads(arguments: &Arguments) -> Result<(), Failure> {
-    if let Some(threads) = arguments.threads {
-        rayon::ThreadPoolBuilder::new().num_threads(threads.get()).build_global()?;
-    }
-    execute(arguments)
+/// What an interrupted command leaves, and how to go on.
+fn what_is_kept(kept: Kept, restarts: bool) -> String {
+    let counted = |[done, of]: [usize; 2], what: &str| format!("{done} of {of} {what}");
+    let counts: Vec<String> = [(kept.frames, "frames"), (kept.pictures, "pictures")]
+        .into_iter()
+        .filter_map(|(count, what)| Some(counted(count?, what)))
+        .collect();
+    let kept = if counts.is_empty() { "what is complete is".to_owned() } else { counts.join(" and ") + " are" };
+    let again = if restarts { "the same command without --restart goes on" } else { "the same command goes on" };
+    format!("interrupted: {kept} kept; {again}")
 }
 
-fn execute(arguments: &Arguments) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    let mut progress = Bar::new(arguments.quiet);
-    match &arguments.command {
-        Command::Run { film, pictures } => run(film, pictures, &mut progress, &mut out),
+/// Does what is asked for, in as many threads.
+fn execute(arguments: &Arguments, session: &Session) -> Result<(), Failure> {
+    if let Some(warning) = make_pool(arguments.threads)? {
+        session.log.warning(warning);
+    }
+    let mut out = Answers::new();
+    let outcome = obey(&arguments.command, session, &mut out);
+    let written = out.end().map_err(Failure::from);
+    if let (Err(_), Err(failure)) = (&outcome, &written) {
+        session.log.error(failure);
+    }
+    outcome.and(written)
+}
+
+fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), Failure> {
+    match command {
+        Command::Run { film, restart, pictures } => run(film, *restart, pictures, session, out),
         Command::Simulate { film, restart } => {
             let (scene, folder) = open(film)?;
-            let summary = pipeline::simulate(&scene, &folder, *restart, &mut progress)?;
-            progress.clear();
-            clear_leftovers(&folder, None)?;
-            let inspection = Inspection::of(&folder)?;
+            session.hold(&folder)?;
+            let summary = pipeline::simulate(&scene, &folder, *restart, session)?;
+            session.log.finish();
+            clear_leftovers(&folder, None, &session.log)?;
+            let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
             write_curves_of_film(&folder, &inspection)?;
             writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
             out.flush()?;
-            say_verdict(&inspection, &scene);
+            say_verdict(&inspection, &scene, &session.log);
             Ok(())
         }
-        Command::Render { film, pictures } => {
+        // All pictures are made anew in any case.
+        Command::Render { film, restart: _, pictures } => {
             let (mut scene, folder) = open(film)?;
             let frames = pictures.apply(&mut scene)?;
-            let summary = pipeline::render_frames(&scene, &folder, &frames, &mut progress)?;
-            progress.clear();
-            clear_leftovers(&folder, Some(&scene.output))?;
+            // Nothing is begun for a picture that cannot be made, or where there is no film.
+            Plan::of(&scene).map_err(PipelineError::from)?;
+            FilmFolder::open(&folder).map_err(PipelineError::from)?;
+            session.hold(&folder)?;
+            let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
+            session.log.finish();
+            clear_leftovers(&folder, Some(&scene.output), &session.log)?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
-        Command::Gallery { scenes, out: folder, work } => gallery(scenes, folder, work, &mut progress, &mut out),
+        Command::Gallery { scenes, out: folder, work, restart } => {
+            gallery(scenes, folder, work, *restart, session, out)
+        }
         Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
         Command::Check { scene: file, phases: false } => {
             let scene = read(file)?;
-            for note in check::check(&scene)? {
+            for note in check::check(&scene, &session.log)? {
                 writeln!(out, "{note}")?;
             }
-            Ok(writeln!(out, "{}: nothing is wrong", file.path.display())?)
+            Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)
         }
-        Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, &mut out),
-        Command::New { name } => new(name, &mut out),
+        Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, session, out),
+        Command::New { name } => new(name, out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
-            // Through memory, because the generator panics if it cannot write.
-            let mut script = Vec::new();
-            clap_complete::generate(*shell, &mut Arguments::command(), "immerse", &mut script);
-            Ok(out.write_all(&script)?)
+            clap_complete::generate(*shell, &mut Arguments::command(), "immerse", out);
+            Ok(())
         }
-        Command::Man => Ok(clap_mangen::Man::new(Arguments::command()).render(&mut out)?),
-    }?;
-    Ok(io::stdout().flush()?)
+        Command::Man => Ok(clap_mangen::Man::new(Arguments::command()).render(out)?),
+    }
 }
 
 /// The scene, with the mesh of the command line if there is one.
@@ -129,19 +163,27 @@ fn read(file: &SceneFile) -> Result<Scene, Failure> {
 /// The scene and the folder of its film.
 fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
     let scene = read(&film.scene)?;
-    let folder = film.out.clone().unwrap_or_else(|| Path::new("renders").join(&scene.name));
+    let folder = match &film.out {
+        Some(folder) => folder.clone(),
+        None => folder_of(&scene, &film.scene.path, Path::new("renders"))?,
+    };
     Ok((scene, folder))
 }
 
-fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut impl Write) -> Result<(), Failure> {
+fn run(
+    film: &Film,
+    restart: bool,
+    pictures: &PictureOptions,
+    session: &Session,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
     let (mut scene, folder) = open(film)?;
     let frames = pictures.apply(&mut scene)?;
-    let mut picturing = progress.below();
-    let [simulated, rendered] = pipeline::run(&scene, &folder, &frames, progress, &mut picturing)?;
-    picturing.clear();
-    progress.clear();
-    clear_leftovers(&folder, Some(&scene.output))?;
-    let inspection = Inspection::of(&folder)?;
+    session.hold(&folder)?;
+    let [simulated, rendered] = pipeline::run(&scene, &folder, restart, &frames, session)?;
+    session.log.finish();
+    clear_leftovers(&folder, Some(&scene.output), &session.log)?;
+    let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
     write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
@@ -151,12 +193,12 @@ fn run(film: &Film, pictures: &PictureOptions, progress: &mut Bar, out: &mut imp
         inspection.write_checks(out)?;
     }
     out.flush()?;
-    say_verdict(&inspection, &scene);
-    all_is_well(&inspection)
+    say_verdict(&inspection, &scene, &session.log);
+    all_is_well(&inspection, &session.log)
 }
 
 /// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
-fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), PipelineError> {
+fn clear_leftovers(folder: &Path, output: Option<&OutputSection>, log: &Log) -> Result<(), PipelineError> {
     let Leftovers { removed, older } = film::clear_leftovers(folder, output).map_err(PipelineError::from)?;
     let named = |names: &[String]| match names.len().saturating_sub(NAMED) {
         0 => names.join(", "),
@@ -164,11 +206,14 @@ fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), 
     };
     if !removed.is_empty() {
         let (count, names) = (removed.len(), named(&removed));
-        say(format_args!("{}: removed what is not of this film ({count} files): {names}", folder.display()));
+        log.note(format_args!("{}: removed what is not of this film ({count} files): {names}", folder.display()));
     }
     if !older.is_empty() {
         let (count, names) = (older.len(), named(&older));
-        say(format_args!("{}: left from an earlier run, not made anew ({count} files): {names}", folder.display()));
+        log.note(format_args!(
+            "{}: left from an earlier run, not made anew ({count} files): {names}",
+            folder.display()
+        ));
     }
     Ok(())
 }
@@ -177,57 +222,58 @@ fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<(), 
 const NAMED: usize = 8;
 
 /// Says on standard error which frames ran into the limit of steps and what the result is not, on a line each.
-fn say_verdict(inspection: &Inspection, scene: &Scene) {
+fn say_verdict(inspection: &Inspection, scene: &Scene, log: &Log) {
     let lines = [step_limit_line(&inspection.frames), verdict(&inspection.frames, &scene.checks)];
-    lines.iter().flatten().for_each(|line| say(format_args!("warning: {line}")));
+    lines.iter().flatten().for_each(|line| log.warning(line));
 }
 
 /// One frame has no curves.
-fn write_curves_of_film(folder: &Path, inspection: &Inspection) -> Result<(), DiskError> {
-    if inspection.frames.len() > 1 { write_curves(folder, &inspection.frames) } else { Ok(()) }
+fn write_curves_of_film(folder: &Path, inspection: &Inspection) -> Result<(), PipelineError> {
+    if inspection.frames.len() > 1 { Ok(write_curves(folder, &inspection.frames)?) } else { Ok(()) }
 }
 
-fn inspect(folder: &Path, json: bool, curves: bool, out: &mut impl Write) -> Result<(), Failure> {
-    let inspection = Inspection::of(folder)?;
+fn inspect(folder: &Path, json: bool, curves: bool, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
+    let inspection = Inspection::of(folder).map_err(PipelineError::from)?;
     if curves {
-        write_curves(folder, &inspection.frames)?;
+        session.hold(folder)?;
+        write_curves(folder, &inspection.frames).map_err(PipelineError::from)?;
     }
     if json {
         inspection.write_json(out)?;
     } else {
         inspection.write_tables(out)?;
     }
-    for error in &inspection.damaged {
-        say(format_args!("error: {error}"));
-    }
+    inspection.damaged.iter().for_each(|error| session.log.error(error));
     if inspection.damaged.is_empty() { Ok(()) } else { Err(Failure::NotWell) }
 }
 
 /// Says on standard error which checks do not hold and which frames do not verify.
-fn all_is_well(inspection: &Inspection) -> Result<(), Failure> {
+fn all_is_well(inspection: &Inspection, log: &Log) -> Result<(), Failure> {
     let broken: Vec<&str> = inspection.checks.iter().filter(|check| !check.holds).map(|check| check.name).collect();
     if !broken.is_empty() {
-        say(format_args!("error: the film does not hold to its [checks]: {}", broken.join(", ")));
+        log.error(format_args!("the film does not hold to its [checks]: {}", broken.join(", ")));
     }
     for check in inspection.checks.iter().filter(|check| !check.holds) {
-        check.reason.iter().for_each(|reason| say(format_args!("error: {}: {reason}", check.name)));
+        check.reason.iter().for_each(|reason| log.error(format_args!("{}: {reason}", check.name)));
     }
-    for error in &inspection.damaged {
-        say(format_args!("error: {error}"));
-    }
+    inspection.damaged.iter().for_each(|error| log.error(error));
     if broken.is_empty() && inspection.damaged.is_empty() { Ok(()) } else { Err(Failure::NotWell) }
 }
 
 fn sentence(what: &str, summary: Summary, folder: &Path) -> String {
     let Summary { made, kept } = summary;
     let kept = if kept > 0 { format!(", {kept} were there") } else { String::new() };
-    format!("{}: {made} {what}{kept}", folder.display())
+    format!("{}: {made} {what}{kept}", shown(folder))
+}
+
+/// A path in a line of results.
+fn shown(path: &Path) -> String {
+    one_line(&path.to_string_lossy()).into_owned()
 }
 
 fn new(name: &str, out: &mut impl Write) -> Result<(), Failure> {
     let path = PathBuf::from(if name.ends_with(".toml") { name.to_owned() } else { format!("{name}.toml") });
     let failed = |source| Failure::New { path: path.clone(), source };
-    let mut file = OpenOptions::new().write(true).create_new(true).open(&path).map_err(failed)?;
-    file.write_all(STARTER.as_bytes()).map_err(failed)?;
-    Ok(writeln!(out, "{} is written; now: immerse run {}", path.display(), path.display())?)
+    whole_file::write_new(&path, STARTER.as_bytes()).map_err(failed)?;
+    Ok(writeln!(out, "{} is written; now: immerse run {}", shown(&path), shown(&path))?)
 }

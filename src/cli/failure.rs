@@ -45,7 +45,7 @@ impl PipelineError {
     pub fn is_fault_of_input(&self) -> bool {
         match self {
             PipelineError::Scene(_) => true,
-            PipelineError::Disk(error) => !matches!(error, DiskError::Io { .. } | DiskError::Unfit { .. }),
+            PipelineError::Disk(error) => error.is_fault_of_input(),
             PipelineError::Film(error) => error.is_fault_of_input(),
             PipelineError::Evolve(_) => false,
         }
@@ -67,13 +67,42 @@ pub(super) enum Failure {
     Folder { path: PathBuf, source: io::Error },
     #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
     Threads(#[from] rayon::ThreadPoolBuildError),
+    #[error("{}: this name gives no folder of its own; name one with --out, or call the file otherwise", path.display())]
+    Name { path: PathBuf },
+    /// By a signal.
+    #[error("interrupted by signal {signal}; run it again")]
+    Interrupted { signal: u8 },
+    #[error(
+        "this program has a fault and cannot go on ({reason}); what is complete is kept, please report this with the scene"
+    )]
+    Panic { reason: String },
     /// Has been said already.
     #[error("not all is well")]
     NotWell,
 }
 
-impl From<DiskError> for Failure {
-    fn from(error: DiskError) -> Self {
-        Failure::Pipeline(error.into())
+/// Failed while running, or a check does not hold.
+const FAILED: u8 = 1;
+/// The input is at fault.
+const INPUT: u8 = 2;
+/// Somebody else is at work there; `EX_TEMPFAIL` of `sysexits.h`.
+const TRY_AGAIN: u8 = 75;
+/// What shells add to the number of a signal.
+const SIGNAL: u8 = 128;
+
+impl Failure {
+    /// The exit code of the program.
+    pub fn code(&self) -> u8 {
+        match self {
+            Failure::Pipeline(PipelineError::Disk(DiskError::Busy { .. })) => TRY_AGAIN,
+            Failure::Pipeline(error) if error.is_fault_of_input() => INPUT,
+            Failure::Pipeline(_) | Failure::Output(_) | Failure::Panic { .. } | Failure::NotWell => FAILED,
+            Failure::Frames(_)
+            | Failure::New { .. }
+            | Failure::Folder { .. }
+            | Failure::Name { .. }
+            | Failure::Threads(_) => INPUT,
+            Failure::Interrupted { signal } => SIGNAL + signal,
+        }
     }
 }

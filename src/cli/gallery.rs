@@ -4,11 +4,11 @@ use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
-use super::diagnostics::say;
+use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::pipeline;
-use super::progress::Bar;
-use super::set_up::count_classes;
+use super::process::Session;
+use super::set_up::{count_classes, folder_of};
 use crate::scene::Scene;
 
 /// The scene of which there is a picture in all looks, `looks.png`.
@@ -20,35 +20,46 @@ pub(super) fn gallery(
     scenes: &[PathBuf],
     out: &Path,
     work: &Path,
-    progress: &mut Bar,
+    restart: bool,
+    session: &Session,
     answers: &mut impl Write,
 ) -> Result<(), Failure> {
     let all = if scenes.is_empty() { shipped_scenes()? } else { scenes.to_vec() };
-    fs::create_dir_all(out).map_err(|source| Failure::Folder { path: out.to_owned(), source })?;
+    session.hold(out)?;
     let mut missing = 0;
     for path in &all {
-        let poster = Scene::read(path).map_err(PipelineError::from).and_then(|mut scene| {
-            count_classes(&mut scene)?;
-            let poster = out.join(&scene.name).with_extension("png");
-            let film = work.join(&scene.name);
-            pipeline::poster(&scene, &film, &poster, progress)?;
-            if scene.name == SHOWN_IN_ALL_LOOKS {
-                pipeline::look_sheet(&scene, &film, &out.join("looks.png"), progress)?;
-            }
-            Ok(poster)
-        });
-        progress.clear();
-        match poster {
-            Ok(poster) => writeln!(answers, "{}", poster.display())?,
+        session.go_on()?;
+        match show(path, out, work, restart, session) {
+            Ok(poster) => writeln!(answers, "{}", one_line(&poster.display().to_string()))?,
             // Some scenes want a mesh that is not shipped.
-            Err(error) if scenes.is_empty() && error.is_fault_of_input() => {
+            Err(Failure::Pipeline(error)) if scenes.is_empty() && error.is_fault_of_input() => {
                 missing += 1;
-                say(format_args!("{}: skipped; {}", path.display(), first_line(&error)));
+                session.log.note(format_args!("{}: skipped; {}", path.display(), first_line(&error)));
             }
-            Err(error) => return Err(error.into()),
+            Err(error) => return Err(error),
         }
     }
     Ok(writeln!(answers, "{}: {} pictures made, {missing} scenes skipped", out.display(), all.len() - missing)?)
+}
+
+/// Makes the picture of a scene. Returns its path.
+fn show(path: &Path, out: &Path, work: &Path, restart: bool, session: &Session) -> Result<PathBuf, Failure> {
+    let mut scene = Scene::read(path).map_err(PipelineError::from)?;
+    count_classes(&mut scene)?;
+    let film = folder_of(&scene, path, work)?;
+    let mut poster = out.join(&scene.name).into_os_string();
+    poster.push(".png");
+    let poster = PathBuf::from(poster);
+    session.log.of_scene(&scene.name);
+    session.hold(&film)?;
+    let made = pipeline::poster(&scene, &film, restart, &poster, session).and_then(|()| match scene.name.as_str() {
+        SHOWN_IN_ALL_LOOKS => pipeline::look_sheet(&scene, &film, &out.join("looks.png"), session),
+        _ => Ok(()),
+    });
+    session.log.finish();
+    session.let_go(&film);
+    made?;
+    Ok(poster)
 }
 
 /// `scenes/*.toml`, in order.

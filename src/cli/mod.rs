@@ -1,7 +1,8 @@
 //! The command line: arguments, progress, tables, exit codes.
 //!
 //! Standard output carries results, standard error messages and progress. Exit codes: 0 done, 1 failed
-//! while running (a check that does not hold included), 2 the input is at fault.
+//! while running (a check that does not hold included), 2 the input is at fault, 75 another process is at work in the
+//! folder, 128 and the number of the signal that ended the program.
 
 mod arguments;
 mod check;
@@ -12,6 +13,7 @@ mod frame_range;
 mod gallery;
 mod picture_options;
 mod pipeline;
+mod process;
 mod progress;
 mod results;
 mod selections;
@@ -21,5 +23,4 @@ pub use commands::main;
 pub use failure::PipelineError;
 pub use frame_range::{FrameRange, FrameRangeError};
 pub use pipeline::Summary;
-pub use progress::Stages;
 pub use results::{Check, checks_of, curves_csv, curves_svg, step_limit_line, verdict};

@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::failure::PipelineError;
-use super::progress::Stages;
+use super::process::Session;
+use super::progress::Log;
 use super::set_up::{SetUp, at_fault, contradictions, frame_keys};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer};
@@ -24,26 +25,28 @@ pub struct Summary {
 /// Computes the frames that are not there yet and makes pictures of some, given by number in order, at the same time.
 /// Tells of both, in this order. If one fails the other ends; what is complete stays.
 ///
-/// Must not be called on a thread of a pool: pictures wait for frames here, and frames are computed there.
+/// Pictures wait for frames on the thread that calls this, and frames are computed on those of the pool. Where this
+/// thread is all there is of the pool, one is done after the other.
 pub(super) fn run(
     scene: &Scene,
     folder: &Path,
+    restart: bool,
     frames: &[usize],
-    simulating: &mut dyn Stages,
-    picturing: &mut dyn Stages,
+    session: &Session,
 ) -> Result<[Summary; 2], PipelineError> {
-    let arrivals = Arrivals::default();
-    let mut simulated = None;
-    let pictured = rayon::in_place_scope(|scope| {
-        scope.spawn(|_| {
-            simulated = Some(simulate_for(scene, folder, false, &arrivals, simulating));
-            arrivals.end();
-        });
-        let watch = &mut |event| pass_on(event, picturing);
-        let made = film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch);
-        // Pictures may fail because no more frames come, but then frames failed first.
-        made.map_err(|error| (arrivals.stop(), error))
-    });
+    if rayon::current_thread_index().is_some() {
+        let simulated = simulate(scene, folder, restart, session)?;
+        return Ok([simulated, render_frames(scene, folder, frames, session)?]);
+    }
+    let arrivals = Arrivals::default().unless(session.signals.flag());
+    let (simulated, pictured) = side_by_side(
+        &arrivals,
+        || simulate_for(scene, folder, restart, &arrivals, &session.log),
+        || {
+            let watch = &mut |event| session.log.pictures(event);
+            film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)
+        },
+    );
     match (simulated, pictured) {
         (Some(Err(error)), Ok(_) | Err((false, _))) => Err(error),
         (_, Err((_, error))) => Err(error.into()),
@@ -51,16 +54,37 @@ pub(super) fn run(
     }
 }
 
+/// Supplies arrivals on a thread of the pool and takes them on this one. If one of the two fails or panics the other
+/// does not wait for it. An error of the one who takes comes with whether more would have arrived: otherwise the
+/// supply failed first.
+fn side_by_side<S: Send, T, E>(
+    arrivals: &Arrivals,
+    supply: impl FnOnce() -> S + Send,
+    take: impl FnOnce() -> Result<T, E>,
+) -> (Option<S>, Result<T, (bool, E)>) {
+    let mut supplied = None;
+    let taken = rayon::in_place_scope(|scope| {
+        scope.spawn(|_| {
+            let _ends = arrivals.supply();
+            supplied = Some(supply());
+        });
+        let _stops = arrivals.demand();
+        take().map_err(|error| (arrivals.stop(), error))
+    });
+    (supplied, taken)
+}
+
 /// Computes the frames that are not there yet.
 pub(super) fn simulate(
     scene: &Scene,
     folder: &Path,
     restart: bool,
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<Summary, PipelineError> {
+    let arrivals = Arrivals::default().unless(session.signals.flag());
     // On a thread of the pool, where work in parallel begins and ends at less cost.
     let mut summary = None;
-    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &Arrivals::default(), progress)));
+    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &arrivals, &session.log)));
     summary.transpose().map(Option::unwrap_or_default)
 }
 
@@ -70,45 +94,42 @@ fn simulate_for(
     folder: &Path,
     restart: bool,
     arrivals: &Arrivals,
-    progress: &mut dyn Stages,
+    log: &Log,
 ) -> Result<Summary, PipelineError> {
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
     let unchanged = if restart { None } else { FilmFolder::open_unchanged(folder, scene)? };
     let (film, mut ready) = match unchanged {
         Some(film) => (film, None),
         None => {
-            let (film, set_up) = begin(scene, folder, restart, progress)?;
+            let (film, set_up) = begin(scene, folder, restart, log)?;
             (film, Some(set_up))
         }
     };
     let valid = film.valid_frames()?;
+    let kept = valid.iter().filter(|&&valid| valid).count();
+    log.begin_film(kept, valid.len());
     // Whoever makes pictures then knows at once how far the film goes.
     arrivals.reach(valid.iter().take_while(|&&valid| valid).count());
     for (number, valid) in (1..).zip(&valid) {
         if !valid {
             let SetUp { mut simulation, places, notes } = match ready.take() {
                 Some(set_up) if set_up.simulation.last_frame() + 1 == number => set_up,
-                _ => set_up_after(scene, &film, number - 1, progress)?,
+                _ => set_up_after(scene, &film, number - 1, log)?,
             };
-            let mut watcher = Watcher { progress: &mut *progress, arrivals, phase: None };
+            let mut watcher = Watcher { log, arrivals };
             let frame = simulation.next_frame(&mut watcher).map_err(|error| at_fault(scene, error))?;
             film.write_frame(&frame)?;
+            log.frame_done(&frame.report);
             ready = Some(SetUp { simulation, places, notes });
         }
         arrivals.reach(number);
     }
-    let kept = valid.iter().filter(|&&valid| valid).count();
     Ok(Summary { made: valid.len() - kept, kept })
 }
 
 /// Sets a film up and opens its folder. Says which frames of the film as it was before are kept, and why the others are not.
-fn begin(
-    scene: &Scene,
-    folder: &Path,
-    restart: bool,
-    progress: &mut dyn Stages,
-) -> Result<(FilmFolder, SetUp), PipelineError> {
-    let mut set_up = set_up(scene, progress)?;
+fn begin(scene: &Scene, folder: &Path, restart: bool, log: &Log) -> Result<(FilmFolder, SetUp), PipelineError> {
+    let mut set_up = set_up(scene, log)?;
     let keys = frame_keys(scene, &mut set_up.simulation)?;
     if restart {
         film::clear_film(folder)?;
@@ -118,7 +139,7 @@ fn begin(
     if !changes.is_empty() {
         let (kept, stale) = sorted_out(&film, &set_up)?;
         let says = |frames: &[usize], what: &str| format!("{} {what}", frames_in_words(frames));
-        progress.note(&format!(
+        log.note(&format!(
             "{}: {} changed since; {}, {}",
             folder.display(),
             in_words(&changes),
@@ -145,23 +166,18 @@ fn sorted_out(film: &FilmFolder, set_up: &SetUp) -> Result<(Vec<usize>, Vec<usiz
 }
 
 /// A simulation, with all that is worth saying of it said.
-fn set_up(scene: &Scene, progress: &mut dyn Stages) -> Result<SetUp, PipelineError> {
-    progress.begin("set up", None);
+fn set_up(scene: &Scene, log: &Log) -> Result<SetUp, PipelineError> {
+    log.setting_up();
     let set_up = SetUp::of(scene)?;
-    set_up.notes.iter().for_each(|note| progress.note(note));
+    set_up.notes.iter().for_each(|note| log.note(note));
     // A time without a metric is told when the keys of the frames are found.
-    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| progress.note(warning));
+    contradictions(scene, &set_up.simulation).iter().flatten().for_each(|warning| log.warning(warning));
     Ok(set_up)
 }
 
 /// A simulation that goes on after a frame of a film; after frame 0 it begins.
-fn set_up_after(
-    scene: &Scene,
-    film: &FilmFolder,
-    frame: usize,
-    progress: &mut dyn Stages,
-) -> Result<SetUp, PipelineError> {
-    let mut set_up = set_up(scene, progress)?;
+fn set_up_after(scene: &Scene, film: &FilmFolder, frame: usize, log: &Log) -> Result<SetUp, PipelineError> {
+    let mut set_up = set_up(scene, log)?;
     if frame > 0 {
         set_up.simulation.resume(Arc::new(film.read_frame(frame)?)).map_err(|error| DiskError::Damaged {
             path: film.folder().to_owned(),
@@ -195,24 +211,13 @@ fn in_words(changes: &[String]) -> String {
 
 /// Passes the progress of a relaxation on.
 struct Watcher<'a> {
-    progress: &'a mut dyn Stages,
+    log: &'a Log,
     arrivals: &'a Arrivals,
-    phase: Option<(usize, usize)>,
 }
 
 impl Observer for Watcher<'_> {
     fn after_step(&mut self, now: &evolve::Progress) -> ControlFlow<()> {
-        let following = now.phase >= now.phases;
-        let mut name =
-            if following { format!("frame {}", now.frame) } else { format!("phase {}/{}", now.phase + 1, now.phases) };
-        if now.components > 1 {
-            name = format!("component {}/{}, {name}", now.component + 1, now.components);
-        }
-        if self.phase != Some((now.component, now.phase)) {
-            self.phase = Some((now.component, now.phase));
-            self.progress.begin(&name, Some(now.max_steps));
-        }
-        self.progress.advance(now.step, Some(now.l2_length_error));
+        self.log.step(now);
         if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
@@ -235,32 +240,30 @@ pub(super) fn render_frames(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<Summary, PipelineError> {
     Plan::of(scene)?;
     is_of_scene(scene, folder)?;
-    Ok(film::make_pictures(scene, folder, frames, &mut |event| pass_on(event, progress))?.into())
+    let arrivals = Arrivals::over().unless(session.signals.flag());
+    let watch = &mut |event| session.log.pictures(event);
+    Ok(film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)?.into())
 }
 
 /// Simulates a scene where it was not, and makes one picture that shows its film as a whole.
 pub(super) fn poster(
     scene: &Scene,
     folder: &Path,
+    restart: bool,
     path: &Path,
-    progress: &mut dyn Stages,
+    session: &Session,
 ) -> Result<(), PipelineError> {
-    simulate(scene, folder, false, progress)?;
-    Ok(film::make_poster(scene, folder, path, &mut |event| pass_on(event, progress))?)
+    simulate(scene, folder, restart, session)?;
+    Ok(film::make_poster(scene, folder, path, &mut |event| session.log.pictures(event))?)
 }
 
 /// Makes one picture of a simulated scene in all looks.
-pub(super) fn look_sheet(
-    scene: &Scene,
-    folder: &Path,
-    path: &Path,
-    progress: &mut dyn Stages,
-) -> Result<(), PipelineError> {
-    Ok(film::make_look_sheet(scene, folder, path, &mut |event| pass_on(event, progress))?)
+pub(super) fn look_sheet(scene: &Scene, folder: &Path, path: &Path, session: &Session) -> Result<(), PipelineError> {
+    Ok(film::make_look_sheet(scene, folder, path, &mut |event| session.log.pictures(event))?)
 }
 
 impl From<Pictured> for Summary {
@@ -269,10 +272,5 @@ impl From<Pictured> for Summary {
     }
 }
 
-fn pass_on(event: film::Event, progress: &mut dyn Stages) {
-    match event {
-        film::Event::Begin(stage, parts) => progress.begin(stage, Some(parts)),
-        film::Event::Done(done) => progress.advance(done, None),
-        film::Event::Note(text) => progress.note(&text),
-    }
-}
+#[cfg(test)]
+mod tests;

@@ -1,8 +1,10 @@
 //! From a scene to a simulation, with what is worth saying of it.
 
+use std::path::{Component, Path, PathBuf};
+
 use glam::DVec3;
 
-use super::failure::PipelineError;
+use super::failure::{Failure, PipelineError};
 use crate::digest::Key;
 use crate::evolve::{EvolveError, Simulation};
 use crate::film::FilmMesh;
@@ -45,6 +47,15 @@ impl SetUp {
     }
 }
 
+/// The folder of a film among those of others, which is called as the scene is. `path` is the scene's file.
+pub(super) fn folder_of(scene: &Scene, path: &Path, films: &Path) -> Result<PathBuf, Failure> {
+    let mut parts = Path::new(&scene.name).components();
+    match (parts.next(), parts.next()) {
+        (Some(Component::Normal(_)), None) => Ok(films.join(&scene.name)),
+        _ => Err(Failure::Name { path: path.to_owned() }),
+    }
+}
+
 /// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
 pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
     if scene.clock.a_frame_for_each_class {
@@ -69,6 +80,5 @@ pub(super) fn frame_keys(scene: &Scene, simulation: &mut Simulation) -> Result<V
 
 /// Warnings about pins that no surface with these lengths can keep.
 pub(super) fn contradictions(scene: &Scene, simulation: &Simulation) -> Result<Vec<String>, PipelineError> {
-    let found = simulation.pin_contradictions().map_err(|error| at_fault(scene, error))?;
-    Ok(found.into_iter().map(|sentence| format!("warning: {sentence}")).collect())
+    simulation.pin_contradictions().map_err(|error| at_fault(scene, error))
 }

@@ -29,6 +29,8 @@ pub struct Progress {
     pub settled: bool,
     /// L2 length error of the integrated surface.
     pub l2_length_error: f64,
+    /// Its rims.
+    pub rims: usize,
     /// Iterations of the linear solver in the last step.
     pub inner_iterations: usize,
 }

@@ -33,6 +33,9 @@ pub enum FilmError {
         /// What is wrong.
         reason: String,
     },
+    /// Nobody wants the pictures any more.
+    #[error("no more pictures were wanted; {}", self.remedy())]
+    Stopped,
     /// The program was built without the encoder.
     #[error("this program was built without mp4; {}", self.remedy())]
     WithoutMp4,
@@ -48,6 +51,7 @@ impl Advice for FilmError {
             FilmError::Render(error) => error.remedy(),
             FilmError::NoSuchFrame { .. } => "run `immerse simulate` first".into(),
             FilmError::Field { .. } => "simulate the film anew, or show another".into(),
+            FilmError::Stopped => "run it again".into(),
             FilmError::WithoutMp4 => {
                 "build it with `cargo build --release --features mp4` (which takes a C++ compiler), or ask \
                                       for gif or apng"
@@ -68,8 +72,8 @@ impl FilmError {
     pub fn is_fault_of_input(&self) -> bool {
         match self {
             FilmError::Scene(_) | FilmError::NoSuchFrame { .. } | FilmError::WithoutMp4 => true,
-            FilmError::Field { .. } => false,
-            FilmError::Disk(error) => !matches!(error, DiskError::Io { .. } | DiskError::Unfit { .. }),
+            FilmError::Field { .. } | FilmError::Stopped => false,
+            FilmError::Disk(error) => error.is_fault_of_input(),
             FilmError::Render(error) => !matches!(error, RenderError::Write { .. }),
         }
     }

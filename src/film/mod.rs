@@ -11,7 +11,7 @@ mod ledger;
 mod leftovers;
 mod pictures;
 
-pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, Manifest, MeshCounts};
+pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{

@@ -107,6 +107,42 @@ fn the_caret_stands_under_the_place_even_behind_the_end() {
     }
 }
 
+/// As programs write them: lines that nobody can read are not drawn, wherever they stand, and what quotes them is cut.
+#[test]
+fn lines_without_end_are_told_and_not_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let many = "7, ".repeat(33_000);
+    let long = "x + ".repeat(20_000);
+    for (text, place) in [
+        (format!("[look]\nhide_faces = [{many}-1]\n"), "2:99015"),
+        (format!("[look]\nhide_faces = [{many}]\nfoo = 1\n"), "3:1"),
+        (format!("[look]\nfoo = [\n{many}]\n"), "2:1"),
+        (format!("[clock]\nframes = [\n{many}]\n"), "2:10"),
+        (format!("[look]\nhide = \"\"\"\n{long}\"\"\"\n"), "2:8"),
+        (format!("[look]\nhide_faces = [{many}= ]\n"), "2:99015"),
+    ] {
+        fs::write(folder.path().join("film.toml"), text).unwrap();
+        let (code, _, err) = run(folder.path(), &["check", "film.toml"]);
+        assert_eq!(code, 2, "{}", &err[..err.len().min(500)]);
+        assert!(err.contains(&format!("film.toml:{place}")), "no {place} in {}", &err[..err.len().min(500)]);
+        assert!(err.len() < 5000, "{} bytes", err.len());
+    }
+}
+
+/// Of mistakes of many kinds as of those of one, so many are shown as anybody reads.
+#[test]
+fn of_thousands_of_mistakes_twenty_are_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[[phase]]\nwrong = 1\ndt = -1\nepsilon = 'x'\n".repeat(3333);
+    fs::write(folder.path().join("film.toml"), text).unwrap();
+    let begin = std::time::Instant::now();
+    let (code, _, err) = run(folder.path(), &["check", "film.toml"]);
+    assert_eq!(code, 2);
+    assert_eq!(err.matches("error: ").count(), 20, "{err}");
+    assert!(err.contains("and 9979 more\n") && err.contains("9999 mistakes"), "{err}");
+    assert!(begin.elapsed().as_secs_f64() < 2.0, "{:?}", begin.elapsed());
+}
+
 #[test]
 fn missing_files_and_folders_end_with_2() {
     let folder = tempfile::tempdir().unwrap();
@@ -131,7 +167,7 @@ fn wrong_arguments_end_with_2_and_help_with_0() {
         (&["render", "film.toml", "--frames", "1-6"], "frame 6 is asked for, but the film has 5"),
         (&["simulate", "film.toml", "--threads", "0"], "--threads"),
         (&["simulat", "film.toml"], "simulate"),
-        (&["run", "film.toml", "--restart"], "--restart"),
+        (&["check", "film.toml", "--restart"], "--restart"),
         (&[], "Usage"),
     ] {
         let (code, out, err) = run(folder.path(), arguments);
@@ -140,7 +176,12 @@ fn wrong_arguments_end_with_2_and_help_with_0() {
     }
     let (code, out, err) = run(folder.path(), &["--help"]);
     assert_eq!((code, err.as_str()), (0, ""));
-    assert!(out.contains("Exit codes: 0 done"), "{out}");
+    let help = out.split_whitespace().collect::<Vec<_>>().join(" ");
+    for part in
+        ["Exit codes: 0 done, 1 failed while running", "2 the input is at fault, 75 another process", "130", "143"]
+    {
+        assert!(help.contains(part), "no `{part}` in {out}");
+    }
     assert_eq!(run(folder.path(), &["--version"]).0, 0);
 }
 

@@ -20,6 +20,7 @@ mod hostile;
 mod interrupted;
 mod leftovers;
 mod overlap;
+mod process;
 mod shipped_scenes;
 mod step_limit;
 mod verdict;

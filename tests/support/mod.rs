@@ -203,9 +203,15 @@ pub fn diameter(points: &[DVec3]) -> f64 {
     points.iter().map(far).fold(0.0, f64::max)
 }
 
-/// Runs the program in a folder: exit code, standard output, standard error.
+/// Runs the program in a folder: exit code, standard output, standard error. How much it tells of its progress depends on
+/// how fast the machine is, so that it is asked not to.
 pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_immerse")).current_dir(folder).args(arguments).output();
+    let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
+    command.current_dir(folder).args(arguments);
+    if !arguments.contains(&"--quiet") {
+        command.arg("--quiet");
+    }
+    let output = command.output();
     let Output { status, stdout, stderr } = output.expect("the program starts");
     let text = |bytes| String::from_utf8(bytes).expect("text");
     (status.code().expect("an exit code"), text(stdout), text(stderr))

@@ -61,6 +61,7 @@ impl Relaxation {
             tolerance: phase.tolerance_radians.to_degrees(),
             settled: stands_still || is_accurate,
             l2_length_error,
+            rims: step.rims,
             inner_iterations: step.solve.iterations,
         };
         if observer.after_step(&progress).is_break() {

@@ -4,7 +4,7 @@ use super::phase::Phase;
 use super::relaxation::Relaxation;
 use crate::algebra::SolveReport;
 use crate::frames::Shell;
-use crate::immersion::{edge_vectors, frames_of_edge_vectors, mean_turn};
+use crate::immersion::{edge_vectors, frames_of_edge_vectors, mean_turn, rims};
 use glam::{DQuat, DVec3};
 use rayon::prelude::*;
 
@@ -14,6 +14,8 @@ pub(super) struct Step {
     pub before: Vec<DQuat>,
     /// The surface that the new frames integrated to before they were moved toward its own, |V|.
     pub positions: Vec<DVec3>,
+    /// Rims of that surface.
+    pub rims: usize,
     /// Its Δt in mean face areas.
     pub dt: f64,
     /// Mean turn of the frames in radians.
@@ -37,8 +39,9 @@ impl Relaxation {
         let target = self.state.frames_at(&positions);
         let (shell, frames) = self.state.shell_and_frames();
         blend(shell, frames, &target, phase.feedback);
+        let rims = rims(shell, &target).len();
         let turn = mean_turn(shell, &before, frames);
-        Step { before, positions, dt, turn, solve }
+        Step { before, positions, rims, dt, turn, solve }
     }
 
     /// Moves frames toward those of their own edge vectors without the harmonic part.

@@ -71,6 +71,20 @@ pub enum DiskError {
         /// How to get it back.
         remedy: &'static str,
     },
+    /// Another process writes there.
+    #[error("{}: another process is at work in this folder ({holder}); {}", path.display(), self.remedy())]
+    Busy {
+        /// The folder.
+        path: PathBuf,
+        /// Who that is.
+        holder: String,
+    },
+    /// A link where the program writes.
+    #[error("{}: this link leads out of the folder of the film, and nothing was written; {}", path.display(), self.remedy())]
+    LeadsOut {
+        /// The link.
+        path: PathBuf,
+    },
     /// A frame that is not fit to be kept.
     #[error("frame {frame} was not written: {reason}")]
     Unfit {
@@ -97,6 +111,10 @@ impl Advice for DiskError {
             DiskError::Missing { .. } => "simulate it first".into(),
             DiskError::Stale { .. } => "run `immerse simulate` again, which computes it anew".into(),
             DiskError::Damaged { remedy, .. } => (*remedy).to_owned(),
+            DiskError::Busy { .. } => "try again when it is done, or name another folder with --out".into(),
+            DiskError::LeadsOut { .. } => {
+                "name the folder where the film is to be with --out, or remove the link".into()
+            }
             DiskError::Unfit { reason, .. } => reason.remedy(),
         }
     }
@@ -106,6 +124,11 @@ impl DiskError {
     /// A file that is not what was written, and can be made again.
     pub(super) fn damaged(path: &Path, reason: impl Into<String>) -> DiskError {
         DiskError::Damaged { path: path.to_owned(), reason: reason.into(), remedy: SIMULATE_AGAIN }
+    }
+
+    /// Whether another input would help, rather than another machine or another try.
+    pub fn is_fault_of_input(&self) -> bool {
+        !matches!(self, DiskError::Io { .. } | DiskError::Unfit { .. } | DiskError::Busy { .. })
     }
 
     /// A scene's film is in renders/<name>, unless somebody said else, and files of a film are in its folder.

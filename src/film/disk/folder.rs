@@ -1,6 +1,5 @@
 //! The folder of a film: what it holds, which frames are done, and going on with it.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
@@ -16,6 +15,7 @@ use crate::digest::Key;
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
+use crate::whole_file;
 
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
 #[derive(Serialize, Deserialize)]
@@ -313,7 +313,7 @@ fn frame_numbers(folder: &Path) -> Result<Vec<usize>, DiskError> {
 
 /// A folder and those above it, where they are not there.
 fn create_folder(folder: &Path) -> Result<(), DiskError> {
-    fs::create_dir_all(folder).map_err(DiskError::io(folder, "created"))
+    whole_file::create_folder(folder).map(drop).map_err(DiskError::io(folder, "created"))
 }
 
 /// A file that already has the bytes is left alone, so that looking at a film does not touch it.

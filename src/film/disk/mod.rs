@@ -8,6 +8,8 @@
 //!                          x, y and z of scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, its key, and the checksum of the state
+//!     .immerse             what the pictures were made of
+//!     .lock                who writes there, while somebody does
 //! ```
 //!
 //! Every file appears whole or not at all: it is written under a temporary name in the same folder,
@@ -18,6 +20,7 @@ mod error;
 mod folder;
 mod frame_file;
 mod frame_names;
+mod lock;
 mod manifest;
 mod mesh_file;
 mod npz;
@@ -25,5 +28,6 @@ mod seal;
 
 pub use error::DiskError;
 pub use folder::FilmFolder;
+pub use lock::FolderLock;
 pub use manifest::{FilmSpec, Manifest, MeshCounts};
 pub use mesh_file::FilmMesh;

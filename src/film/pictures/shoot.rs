@@ -45,6 +45,7 @@ pub(super) fn shoot<T: Clone + Send + Sync>(
     let shots = Shots::new(plan, subject, extent, spreads, *output)?;
     let of_film = shots.key_of_film(reel.film())?;
     let at_a_time = at_a_time(picture_bytes(plan, output) + reel.frame_bytes());
+    let go_on = reel.watch();
     let prepare = |wave: Range<usize>| {
         let here = &frames[wave.clone()];
         reel.wait_for(&with_next(plan, here))?;
@@ -67,8 +68,10 @@ pub(super) fn shoot<T: Clone + Send + Sync>(
         if let Some(made) = made {
             return Ok((shown.number, None, made.clone()));
         }
+        go_on()?;
         let next = after(plan, shown.number).and_then(|next| loaded.get(&next));
         let picture = shots.take(&loaded[&shown.number], next.map(AsRef::as_ref))?;
+        go_on()?;
         Ok((shown.number, Some(picture.skipped_triangles()), finish(&picture, shown)?))
     };
     in_order(frames.len(), at_a_time, prepare, make, |(frame, skipped, kept)| take(frame, skipped, kept))

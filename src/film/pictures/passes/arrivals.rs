@@ -1,6 +1,7 @@
 //! Frames that are still being computed while pictures are made of those that are there.
 
-use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 
 /// Tells those who make pictures which frames of a film are on disk, and those who compute frames whether anybody still
 /// wants them. Waiting blocks the thread: it must not be one that the frames are computed on.
@@ -8,6 +9,8 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 pub struct Arrivals {
     now: Mutex<Now>,
     changed: Condvar,
+    /// Somebody may raise this flag at any time; then no more are wanted.
+    given_up: Arc<AtomicBool>,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
@@ -24,7 +27,22 @@ impl Arrivals {
     /// Of a film that is on disk as far as it goes: nobody waits.
     pub fn over() -> Arrivals {
         let now = Now { reached: usize::MAX, is_over: true, is_stopped: false };
-        Arrivals { now: Mutex::new(now), changed: Condvar::new() }
+        Arrivals { now: Mutex::new(now), ..Arrivals::default() }
+    }
+
+    /// As long as this flag is down.
+    pub fn unless(self, given_up: Arc<AtomicBool>) -> Arrivals {
+        Arrivals { given_up, ..self }
+    }
+
+    /// No more frames will come when this is dropped, also by a panic: nobody waits for ever.
+    pub fn supply(&self) -> impl Drop {
+        Supply(self)
+    }
+
+    /// No more frames are wanted when this is dropped by a panic.
+    pub fn demand(&self) -> impl Drop {
+        Demand(self)
     }
 
     /// All frames up to this one are on disk.
@@ -49,7 +67,7 @@ impl Arrivals {
 
     /// Whether no more frames are wanted.
     pub fn is_stopped(&self) -> bool {
-        self.now().is_stopped
+        self.now().is_stopped || self.given_up.load(Ordering::SeqCst)
     }
 
     /// Whether a frame is on disk by now.
@@ -72,5 +90,23 @@ impl Arrivals {
     /// What is known stays right if a thread that knew it panics.
     fn now(&self) -> MutexGuard<'_, Now> {
         self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+struct Supply<'a>(&'a Arrivals);
+
+impl Drop for Supply<'_> {
+    fn drop(&mut self) {
+        self.0.end();
+    }
+}
+
+struct Demand<'a>(&'a Arrivals);
+
+impl Drop for Demand<'_> {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.0.stop();
+        }
     }
 }

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// `prepare` is told which things are next, and gives what `make` needs for them.
 ///
 /// # Errors
-/// The first error in order; what comes after it is not taken.
+/// The first error in order. What has been made nevertheless is still handed on, and nothing else is made.
 pub(in crate::film::pictures) fn in_order<P: Sync, T: Send, E: Send>(
     count: usize,
     at_a_time: usize,
@@ -21,14 +21,29 @@ pub(in crate::film::pictures) fn in_order<P: Sync, T: Send, E: Send>(
     let mut made: Vec<Result<T, E>> = Vec::new();
     for start in (0..count).step_by(at_a_time.max(1)) {
         let wave = start..(start + at_a_time.max(1)).min(count);
-        let prepared = prepare(wave.clone())?;
+        let prepared = match prepare(wave.clone()) {
+            Ok(prepared) => prepared,
+            Err(error) => return take_all(made, &mut take).and(Err(error)),
+        };
         let before = std::mem::take(&mut made);
         let (taken, next) = rayon::join(
-            || before.into_iter().try_for_each(|thing| take(thing?)),
+            || take_all(before, &mut take),
             || wave.into_par_iter().map(|index| make(&prepared, index)).collect::<Vec<_>>(),
         );
-        taken?;
         made = next;
+        if taken.is_err() {
+            return taken.and(take_all(made, &mut take));
+        }
     }
-    made.into_iter().try_for_each(|thing| take(thing?))
+    take_all(made, &mut take)
+}
+
+/// Hands on what there is, and gives the first error.
+fn take_all<T, E>(made: Vec<Result<T, E>>, take: &mut impl FnMut(T) -> Result<(), E>) -> Result<(), E> {
+    let mut outcome = Ok(());
+    for thing in made {
+        let taken = thing.and_then(&mut *take);
+        outcome = outcome.and(taken);
+    }
+    outcome
 }

@@ -40,12 +40,12 @@ pub(in crate::film::pictures) struct Reel<'a> {
     arrivals: &'a Arrivals,
 }
 
-impl Reel<'_> {
+impl<'a> Reel<'a> {
     /// Opens a film when its first frame is there.
     ///
     /// # Errors
     /// [`FilmError::NoSuchFrame`] if none comes, [`FilmError::Disk`] if there is no film.
-    pub fn open<'a>(folder: &Path, arrivals: &'a Arrivals) -> Result<Reel<'a>, FilmError> {
+    pub fn open(folder: &Path, arrivals: &'a Arrivals) -> Result<Reel<'a>, FilmError> {
         if !arrivals.wait_for(1) {
             return Err(FilmError::NoSuchFrame { folder: folder.to_owned(), frame: 1 });
         }
@@ -65,11 +65,18 @@ impl Reel<'_> {
         self.film.contents(frame).map_err(|error| self.lost(frame, error))
     }
 
+    /// What gives [`FilmError::Stopped`] as soon as nobody wants pictures any more.
+    pub fn watch(&self) -> impl Fn() -> Result<(), FilmError> + Sync + use<'a> {
+        let arrivals = self.arrivals;
+        move || if arrivals.is_stopped() { Err(FilmError::Stopped) } else { Ok(()) }
+    }
+
     /// Waits for the last of these frames.
     ///
     /// # Errors
     /// [`FilmError::NoSuchFrame`] if no more will come.
     pub fn wait_for(&self, frames: &[usize]) -> Result<(), FilmError> {
+        self.watch()()?;
         match frames.last() {
             Some(&frame) if !self.arrivals.wait_for(frame) => Err(self.no_such(frame)),
             _ => Ok(()),

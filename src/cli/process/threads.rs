@@ -1,0 +1,55 @@
+//! As many threads as the system gives.
+
+use std::io;
+use std::num::NonZeroUsize;
+use std::sync::mpsc;
+use std::thread;
+
+use rayon::{ThreadBuilder, ThreadPoolBuildError, ThreadPoolBuilder};
+
+/// Makes the pool that all work is done in, with this number of threads or one for every processor. If the system does
+/// not give that many, what it gives must do: results do not depend on it. Returns the warning that this deserves.
+///
+/// Where there is not a single one, the calling thread is the pool.
+///
+/// # Errors
+/// If there is a pool already.
+pub(in crate::cli) fn make_pool(wanted: Option<NonZeroUsize>) -> Result<Option<String>, ThreadPoolBuildError> {
+    let wanted = wanted.or_else(|| thread::available_parallelism().ok()).map_or(1, NonZeroUsize::get);
+    // Threads come first: a pool that cannot have all of its own leaves the program without any.
+    let mut waiting = Vec::new();
+    let mut refused = None;
+    while waiting.len() < wanted && refused.is_none() {
+        match waiting_thread(waiting.len()) {
+            Ok(thread) => waiting.push(thread),
+            Err(error) => refused = Some(error),
+        }
+    }
+    let count = waiting.len();
+    let pool = ThreadPoolBuilder::new().num_threads(count.max(1));
+    if count == 0 {
+        pool.use_current_thread().spawn_handler(|_| Ok(())).build_global()?;
+    } else {
+        let mut waiting = waiting.into_iter();
+        let begin = |work| {
+            let thread = waiting.next().ok_or_else(|| io::Error::other("there are no more threads"))?;
+            thread.send(work).map_err(|_| io::Error::other("a thread has ended"))
+        };
+        pool.spawn_handler(begin).build_global()?;
+    }
+    Ok(refused.map(|error| {
+        let given = if count < 2 { "one".to_owned() } else { count.to_string() };
+        format!("the system does not give {wanted} threads ({error}); going on with {given}")
+    }))
+}
+
+/// A thread that waits for what it is to do.
+fn waiting_thread(number: usize) -> io::Result<mpsc::SyncSender<ThreadBuilder>> {
+    let (give, take) = mpsc::sync_channel::<ThreadBuilder>(1);
+    thread::Builder::new().name(format!("pool {number}")).spawn(move || {
+        if let Ok(work) = take.recv() {
+            work.run();
+        }
+    })?;
+    Ok(give)
+}
