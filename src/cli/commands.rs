@@ -114,14 +114,16 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             say_verdict(&inspection, &scene, &session.log);
             Ok(())
         }
-        // All pictures are made anew in any case.
-        Command::Render { film, restart: _, pictures } => {
+        Command::Render { film, restart, pictures } => {
             let (mut scene, folder) = open(film)?;
             let frames = pictures.apply(&mut scene)?;
             // Nothing is begun for a picture that cannot be made, or where there is no film.
             Plan::of(&scene).map_err(PipelineError::from)?;
             FilmFolder::open(&folder).map_err(PipelineError::from)?;
             session.hold(&folder)?;
+            if *restart {
+                film::forget_pictures(&folder).map_err(PipelineError::from)?;
+            }
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
             session.log.finish();
             clear_leftovers(&folder, Some(&scene.output), &session.log)?;

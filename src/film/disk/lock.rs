@@ -10,6 +10,8 @@ use crate::whole_file;
 
 /// The file that is locked. It says who holds it, and is there only meanwhile.
 const NAME: &str = ".lock";
+/// Folders of a film that files are written to.
+const INNER: [&str; 2] = ["frames", ".immerse"];
 /// Bytes of it that are read.
 const LONGEST: u64 = 1000;
 /// How often a folder may go or a file be another one between two calls of the system.
@@ -41,7 +43,7 @@ impl FolderLock {
         let path = folder.join(NAME);
         for _ in 0..TRIES {
             lock.created.extend(whole_file::create_folder(folder).map_err(DiskError::io(folder, "created"))?);
-            frames_stay_inside(folder)?;
+            stays_inside(folder)?;
             let mut file = match open(&path) {
                 // The one before us has removed the folder that it had made.
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
@@ -80,7 +82,8 @@ impl FolderLock {
     }
 
     fn sweep(&self) {
-        [self.folder.clone(), self.folder.join("frames")].iter().for_each(|folder| whole_file::sweep(folder));
+        whole_file::sweep(&self.folder);
+        INNER.iter().for_each(|inner| whole_file::sweep(&self.folder.join(inner)));
     }
 }
 
@@ -139,15 +142,14 @@ fn holder_in(file: &mut File) -> String {
     if line.is_empty() { OTHERS.to_owned() } else { line }
 }
 
-/// The frames of a film are in its folder, and not where a link leads to.
-fn frames_stay_inside(folder: &Path) -> Result<(), DiskError> {
-    let path = folder.join("frames");
-    if !path.is_symlink() {
-        return Ok(());
-    }
+/// What is written of a film is in its folder, and not where a link leads to.
+fn stays_inside(folder: &Path) -> Result<(), DiskError> {
     let whole = |path: &Path| path.canonicalize().ok();
-    match (whole(&path), whole(folder)) {
-        (Some(frames), Some(folder)) if frames.starts_with(&folder) => Ok(()),
-        _ => Err(DiskError::LeadsOut { path }),
+    for path in INNER.map(|inner| folder.join(inner)).into_iter().filter(|path| path.is_symlink()) {
+        match (whole(&path), whole(folder)) {
+            (Some(inner), Some(folder)) if inner.starts_with(&folder) => {}
+            _ => return Err(DiskError::LeadsOut { path }),
+        }
     }
+    Ok(())
 }
