@@ -208,7 +208,7 @@ pub fn diameter(points: &[DVec3]) -> f64 {
 pub fn program(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
     command.current_dir(folder).args(arguments);
-    if !arguments.contains(&"--quiet") {
+    if !arguments.iter().any(|argument| matches!(*argument, "-q" | "--quiet")) {
         command.arg("--quiet");
     }
     let output = command.output();
