@@ -263,11 +263,11 @@ fn a_film_in_another_format_ends_with_2() {
     let folder = tempfile::tempdir().unwrap();
     film(folder.path(), ChecksSection::default());
     let manifest = folder.path().join("manifest.json");
-    let later = fs::read_to_string(&manifest).unwrap().replace("\"format\": 1", "\"format\": 9");
+    let later = fs::read_to_string(&manifest).unwrap().replace("\"format\": 2", "\"format\": 9");
     fs::write(&manifest, later).unwrap();
     let (code, _, err) = run(folder.path(), &["inspect", "."]);
     assert_eq!(code, 2);
-    assert!(err.contains("it has format 9, this program reads format 1"), "{err}");
+    assert!(err.contains("it has format 9, this program reads format 2"), "{err}");
 }
 
 #[cfg(unix)]

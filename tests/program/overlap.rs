@@ -114,8 +114,8 @@ fn a_frame_that_cannot_be_computed_ends_the_pictures_with_its_own_message() {
 fn the_film_of_another_scene_is_not_shown() {
     let folder = folder_with(FILM);
     assert!(immerse(folder.path(), &["simulate", "scene.toml"]).status.success());
-    fs::write(folder.path().join("scene.toml"), FILM.replace("subdivisions = 3", "subdivisions = 2")).expect("a scene");
-    let output = immerse(folder.path(), &["run", "scene.toml", "--quiet"]);
+    fs::write(folder.path().join("other.toml"), FILM.replace("subdivisions = 3", "subdivisions = 2")).expect("a scene");
+    let output = immerse(folder.path(), &["run", "other.toml", "--out", "renders/scene", "--quiet"]);
     assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
     assert!(!folder.path().join("renders/scene/000001.png").exists());
 }
