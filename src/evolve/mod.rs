@@ -16,6 +16,8 @@ mod relax;
 mod report;
 mod simulation;
 mod state;
+#[cfg(test)]
+mod tests;
 
 pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};

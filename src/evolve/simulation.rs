@@ -44,7 +44,7 @@ pub struct Simulation {
     clock: Clock,
     pace: Pace,
     /// The components, each relaxed on its own.
-    components: Vec<Relaxation>,
+    pub(super) components: Vec<Relaxation>,
     /// The last frame that was made; 0 before the first.
     frame: usize,
     /// Edge lengths and what they determine, at the time of the last frame.
