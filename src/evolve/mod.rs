@@ -17,6 +17,8 @@ mod report;
 mod row;
 mod simulation;
 mod state;
+#[cfg(test)]
+mod tests;
 
 pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};

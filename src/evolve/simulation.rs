@@ -47,7 +47,7 @@ pub struct Simulation {
     /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
     origin: Key,
     /// The components, each relaxed on its own.
-    components: Vec<Relaxation>,
+    pub(super) components: Vec<Relaxation>,
     /// The last frame that was made; 0 before the first.
     frame: usize,
     /// Edge lengths and what they determine, at the time of the last frame.
