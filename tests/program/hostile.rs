@@ -238,7 +238,9 @@ fn meshes() {
 /// What is no file where a file belongs, and files without end.
 #[test]
 fn places_without_a_file() {
-    let makers: [(&str, fn(&Path), &str); 6] = [
+    /// What it is, how it is made, and what is said of it.
+    type Maker = (&'static str, fn(&Path), &'static str);
+    let makers: [Maker; 6] = [
         ("a device", |path| std::os::unix::fs::symlink("/dev/zero", path).expect("a link"), "it is a device"),
         ("a terminal", |path| std::os::unix::fs::symlink("/dev/tty", path).expect("a link"), "it is a device"),
         (
