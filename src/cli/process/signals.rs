@@ -10,18 +10,20 @@ use signal_hook::flag;
 #[derive(Clone, Debug, Default)]
 pub(in crate::cli) struct Signals {
     asked: Arc<AtomicBool>,
+    /// Whether the next one ends it at once.
+    impatient: Arc<AtomicBool>,
     /// 0 for none.
     number: Arc<AtomicUsize>,
 }
 
 impl Signals {
-    /// From now on the first of these signals asks the program to end, and the second ends it at once, if it `writes`;
-    /// what only reads may end anywhere. Signals that the program was started to ignore, as by `nohup`, stay ignored.
+    /// From now on the first of these signals asks the program to end, and one that comes later ends it at once, if it
+    /// `writes`; what only reads may end anywhere. Signals that the program was started to ignore, as by `nohup`, stay ignored.
     pub fn new(writes: bool) -> Signals {
         let signals = Signals::default();
         for number in TO_END.iter().copied().filter(|&number| writes && !is_ignored(number)) {
             // A signal that cannot be watched does what it always does.
-            let _ = flag::register_conditional_shutdown(number, 128 + number, signals.asked.clone());
+            let _ = flag::register_conditional_shutdown(number, 128 + number, signals.impatient.clone());
             let _ = flag::register_usize(number, signals.number.clone(), number as usize);
             let _ = flag::register(number, signals.asked.clone());
         }
@@ -29,6 +31,12 @@ impl Signals {
         #[cfg(unix)]
         let _ = flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
         signals
+    }
+
+    /// From now on a signal ends the program at once. Those who wrap a program, as `timeout` and `make` do, send it the
+    /// first one twice, which is no sign of impatience yet.
+    pub fn be_impatient(&self) {
+        self.impatient.store(true, Ordering::SeqCst);
     }
 
     /// The flag that is raised by a signal.

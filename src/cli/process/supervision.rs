@@ -14,6 +14,8 @@ use crate::cli::failure::Failure;
 const GLANCE: Duration = Duration::from_millis(20);
 /// After a signal the work may finish what it is at for so long.
 const GRACE: Duration = Duration::from_millis(1500);
+/// Within this time a second signal is the first one sent twice.
+const TWICE: Duration = Duration::from_millis(300);
 /// As on the main thread of a program.
 const STACK: usize = 8 << 20;
 
@@ -51,6 +53,9 @@ pub(in crate::cli) fn supervised(
         }
         if let Some(signal) = session.signals.received() {
             let since = *asked_to_end.get_or_insert_with(Instant::now);
+            if since.elapsed() > TWICE {
+                session.signals.be_impatient();
+            }
             if since.elapsed() > GRACE {
                 return Err(Failure::Interrupted { signal });
             }
