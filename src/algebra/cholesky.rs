@@ -1,11 +1,13 @@
-//! Sparse Cholesky factorization, over faer, kept for many right-hand sides.
+//! Sparse Cholesky factorization, kept for many right-hand sides.
+//!
+//! Sums are formed in an order that the code says, product and sum are rounded one after the other, and so the bits are
+//! those of any processor: wide registers (`pulp` asks for them) only do several rows at a time.
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::sparse::linalg::cholesky::{LltRef, SymbolicCholesky, factorize_symbolic_cholesky};
-use faer::sparse::{SparseColMat, Triplet};
-use faer::traits::ComplexField;
-use faer::{Conj, Mat, Par, Side, c64};
+use super::Complex;
+use super::panels::{Panels, Vectors};
+use super::supernodes::Supernodes;
 use glam::{DQuat, DVec3};
+use std::marker::PhantomData;
 
 /// Why a matrix could not be factorized.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -20,85 +22,81 @@ pub enum CholeskyError {
     },
 }
 
-/// `L L*` of a positive definite sparse matrix, symmetric or Hermitian. Deterministic: everything runs on the calling
-/// thread.
-#[derive(Debug)]
-pub struct SparseCholesky<T = f64> {
-    symbolic: SymbolicCholesky<usize>,
-    values: Vec<T>,
+/// What a matrix consists of: real or complex numbers, as planes of real ones.
+pub trait Entry: Copy {
+    /// 1 for real numbers, 2 for complex ones.
+    const PLANES: usize;
+    /// The real and the imaginary part.
+    fn parts(self) -> [f64; 2];
 }
 
-impl<T: ComplexField> SparseCholesky<T> {
+impl Entry for f64 {
+    const PLANES: usize = 1;
+    fn parts(self) -> [f64; 2] {
+        [self, 0.0]
+    }
+}
+
+impl Entry for Complex {
+    const PLANES: usize = 2;
+    fn parts(self) -> [f64; 2] {
+        [self.re, self.im]
+    }
+}
+
+/// `L L*` of a positive definite sparse matrix, symmetric or Hermitian. Everything runs on the calling thread, and the
+/// bits are the same on every processor.
+#[derive(Debug)]
+pub struct SparseCholesky<T: Entry = f64> {
+    supernodes: Supernodes,
+    panels: Panels,
+    entries: PhantomData<T>,
+}
+
+impl<T: Entry> SparseCholesky<T> {
     /// Factorizes the matrix whose lower triangle (diagonal included) is the sum of `(row, column, value)`.
     ///
     /// # Errors
     /// [`CholeskyError`] if the matrix is not positive definite.
     pub fn new(size: usize, lower: &[(usize, usize, T)]) -> Result<SparseCholesky<T>, CholeskyError> {
         let fail = |reason: String| CholeskyError::Factorization { size, reason };
-        let triplets: Vec<_> =
-            lower.iter().map(|(row, col, val)| Triplet { row: *row, col: *col, val: val.clone() }).collect();
-        let matrix = SparseColMat::<usize, T>::try_new_from_triplets(size, size, &triplets)
-            .map_err(|error| fail(format!("{error:?}")))?;
-        let symbolic =
-            factorize_symbolic_cholesky(matrix.symbolic(), Side::Lower, Default::default(), Default::default())
-                .map_err(|error| fail(format!("{error:?}")))?;
-        let mut values = vec![T::zero_impl(); symbolic.len_val()];
-        let scratch = symbolic.factorize_numeric_llt_scratch::<T>(Par::Seq, Default::default());
-        symbolic
-            .factorize_numeric_llt(
-                &mut values,
-                matrix.as_ref(),
-                Side::Lower,
-                Default::default(),
-                Par::Seq,
-                MemStack::new(&mut MemBuffer::new(scratch)),
-                Default::default(),
-            )
-            .map_err(|error| fail(format!("{error:?}")))?;
-        Ok(SparseCholesky { symbolic, values })
+        let supernodes = Supernodes::new(size, lower.iter().map(|&(row, column, _)| (row, column))).map_err(fail)?;
+        let mut panels = Panels::zeros(&supernodes, T::PLANES);
+        for &(row, column, value) in lower {
+            let [row, column] = [row, column].map(|unknown| supernodes.row_of_unknown[unknown] as usize);
+            let [re, im] = value.parts();
+            // What the order of elimination moves above the diagonal stands below it as its conjugate.
+            let im = if row < column { -im } else { im };
+            if let Some(place) = supernodes.place(row.max(column), row.min(column)) {
+                panels.add(place, [re, im]);
+            }
+        }
+        panels.factorize(&supernodes).map_err(|row| fail(format!("pivot {row} is not positive")))?;
+        Ok(SparseCholesky { supernodes, panels, entries: PhantomData })
     }
 
-    fn solve_columns(&self, columns: &mut Mat<T>) {
-        // faer's parallel triangular solve is slower than its sequential one on these matrices.
-        let scratch = self.symbolic.solve_in_place_scratch::<T>(columns.ncols(), Par::Seq);
-        LltRef::new(&self.symbolic, &self.values).solve_in_place_with_conj(
-            Conj::No,
-            columns.as_mut(),
-            Par::Seq,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-        );
+    fn solve_vectors<V: Copy>(&self, x: &mut [V], read: fn(V) -> [f64; 4], write: fn([f64; 4]) -> V) {
+        let mut vectors: Vectors = vec![[0.0; 4]; x.len()];
+        for (x, &row) in x.iter().zip(&self.supernodes.row_of_unknown) {
+            vectors[row as usize] = read(*x);
+        }
+        self.panels.solve(&self.supernodes, &mut vectors);
+        for (x, &row) in x.iter_mut().zip(&self.supernodes.row_of_unknown) {
+            *x = write(vectors[row as usize]);
+        }
     }
 }
 
 impl SparseCholesky<f64> {
     /// Solves for one 3-vector per unknown, in place.
     pub fn solve(&self, x: &mut [DVec3]) {
-        let columns = |first: usize, count: usize| {
-            let mut columns = Mat::from_fn(x.len(), count, |row, column| x[row][first + column]);
-            self.solve_columns(&mut columns);
-            columns
-        };
-        // On two processors.
-        let (xy, z) = rayon::join(|| columns(0, 2), || columns(2, 1));
-        for (row, x) in x.iter_mut().enumerate() {
-            *x = DVec3::new(xy[(row, 0)], xy[(row, 1)], z[(row, 0)]);
-        }
+        self.solve_vectors(x, |v| [v.x, v.y, v.z, 0.0], |[x, y, z, _]| DVec3::new(x, y, z));
     }
 }
 
-impl SparseCholesky<c64> {
+impl SparseCholesky<Complex> {
     /// Solves for one quaternion a + b j per unknown, in place: complex matrices act from the left, on a and b alike.
     pub fn solve(&self, x: &mut [DQuat]) {
-        let column = |part: fn(&DQuat) -> c64| {
-            let mut column = Mat::from_fn(x.len(), 1, |row, _| part(&x[row]));
-            self.solve_columns(&mut column);
-            column
-        };
-        // One processor each.
-        let (a, b) = rayon::join(|| column(|q| c64::new(q.w, q.x)), || column(|q| c64::new(q.y, q.z)));
-        for (row, x) in x.iter_mut().enumerate() {
-            let (a, b) = (a[(row, 0)], b[(row, 0)]);
-            *x = DQuat::from_xyzw(a.im, b.re, b.im, a.re);
-        }
+        self.solve_vectors(x, |q| [q.w, q.x, q.y, q.z], |[w, x, y, z]| DQuat::from_xyzw(x, y, z, w));
     }
 }

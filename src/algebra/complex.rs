@@ -49,6 +49,13 @@ impl Complex {
     }
 }
 
+impl From<f64> for Complex {
+    #[inline]
+    fn from(re: f64) -> Complex {
+        Complex { re, im: 0.0 }
+    }
+}
+
 impl Mul for Complex {
     type Output = Complex;
     #[inline]

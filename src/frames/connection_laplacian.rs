@@ -6,7 +6,6 @@
 
 use super::Shell;
 use crate::algebra::{CholeskyError, Complex, SparseCholesky, quaternion};
-use faer::c64;
 use glam::DQuat;
 
 /// The factorized matrix M + Δt L of a shell.
@@ -16,7 +15,7 @@ pub struct ConnectionLaplacian {
     face_areas: Vec<f64>,
     /// w and τ of the hinges.
     hinges: Vec<(f64, Complex)>,
-    factor: SparseCholesky<c64>,
+    factor: SparseCholesky<Complex>,
 }
 
 impl ConnectionLaplacian {
@@ -31,14 +30,14 @@ impl ConnectionLaplacian {
     /// [`CholeskyError`] if the weights are so uneven that the factorization breaks down.
     pub fn new(shell: &Shell, dt: f64) -> Result<ConnectionLaplacian, CholeskyError> {
         let faces = shell.face_areas().iter().enumerate();
-        let mut lower: Vec<(usize, usize, c64)> = faces.map(|(f, area)| (f, f, c64::new(*area, 0.0))).collect();
+        let mut lower: Vec<(usize, usize, Complex)> = faces.map(|(f, area)| (f, f, Complex::from(*area))).collect();
         for hinge in shell.hinges() {
             let (i, j) = (hinge.i.index(), hinge.j.index());
             let w = dt * hinge.weight;
-            lower.extend([(i, i, c64::new(w, 0.0)), (j, j, c64::new(w, 0.0))]);
+            lower.extend([(i, i, Complex::from(w)), (j, j, Complex::from(w))]);
             // The entry at (j, i) is −w τ, the one at (i, j) its conjugate.
             let tau = if j > i { hinge.spin } else { hinge.spin.conjugate() };
-            lower.push((i.max(j), i.min(j), c64::new(-w * tau.re, -w * tau.im)));
+            lower.push((i.max(j), i.min(j), Complex { re: -w * tau.re, im: -w * tau.im }));
         }
         Ok(ConnectionLaplacian {
             dt,

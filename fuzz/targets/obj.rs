@@ -1,0 +1,4 @@
+//! OBJ files.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| immerse_fuzz::mesh(bytes, "obj"));

@@ -1,0 +1,4 @@
+//! OFF files.
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| immerse_fuzz::mesh(bytes, "off"));
