@@ -5,6 +5,7 @@ use std::cell::OnceCell;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use immerse::digest::Key;
 use immerse::film::{FilmFolder, FilmMesh, FilmSpec};
 use immerse::mesh::{self, Surface};
 use immerse::{Scene, scene};
@@ -103,9 +104,10 @@ impl Film {
         let text = "[mesh]\nfile = 'mesh.off'\n[clock]\nframes = 2\nsteps_per_frame = 1\n";
         let scene = Scene::parse(text, "film", folder.path()).expect("a scene");
         let mut simulation = scene.simulation().expect("a simulation");
-        let frame = simulation.advance(1, &mut immerse::evolve::Unobserved).expect("a frame");
-        let mesh = FilmMesh::of(frame.mesh.clone());
-        let film = FilmFolder::open_or_create(folder.path(), &FilmSpec::of(&scene), &mesh).expect("a film");
+        let spec = FilmSpec::of(&scene, simulation.frame_keys().expect("keys"));
+        let frame = simulation.next_frame(&mut immerse::evolve::Unobserved).expect("a frame");
+        let mesh = FilmMesh::of(simulation.mesh().clone());
+        let (film, _) = FilmFolder::open_or_create(folder.path(), &spec, &mesh).expect("a film");
         film.write_frame(&frame).expect("a frame");
         let file = |name: &str| folder.path().join(name);
         let text = |path: PathBuf| fs::read_to_string(path).expect("a file");
@@ -138,14 +140,14 @@ impl Film {
     }
 
     pub fn put_mesh(&self, bytes: &[u8]) {
-        let manifest = with_number(&self.manifest, "\"mesh_crc32\": ", u64::from(crc32fast::hash(bytes)));
+        let manifest = with_value(&self.manifest, "\"mesh_sha256\": ", &format!("\"{}\"", Key::of_bytes(bytes)));
         self.put("manifest.json", &sealed(manifest.as_bytes()));
         self.put("mesh.npz", bytes);
     }
 
     pub fn put_frame(&self, bytes: &[u8]) {
-        let report = with_number(&self.report, "\"state_crc32\": ", u64::from(crc32fast::hash(bytes)));
-        let report = with_number(&report, "\"state_bytes\": ", bytes.len() as u64);
+        let report = with_value(&self.report, "\"state_sha256\": ", &format!("\"{}\"", Key::of_bytes(bytes)));
+        let report = with_value(&report, "\"state_bytes\": ", &bytes.len().to_string());
         self.put("frames/000001.json", &sealed(report.as_bytes()));
         self.put("frames/000001.npz", bytes);
     }
@@ -160,7 +162,7 @@ pub fn film(change: impl FnOnce(&Film)) {
         let Ok(folder) = FilmFolder::open(film.folder.path()) else { return };
         let _ = folder.mesh().map_err(|error| error.to_string());
         let _ = folder.file_faces().map_err(|error| error.to_string());
-        let _ = folder.last_valid_frame().map_err(|error| error.to_string());
+        let _ = folder.valid_frames().map_err(|error| error.to_string());
         let _ = folder.read_frame(1).map_err(|error| error.to_string());
     });
 }
@@ -177,8 +179,8 @@ fn sealed(json: &[u8]) -> Vec<u8> {
     }
 }
 
-fn with_number(json: &str, key: &str, number: u64) -> String {
+fn with_value(json: &str, key: &str, value: &str) -> String {
     let Some((before, after)) = json.split_once(key) else { return json.to_owned() };
-    let rest = after.trim_start_matches(|c: char| c.is_ascii_digit());
-    format!("{before}{key}{number}{rest}")
+    let rest = after.trim_start_matches(|c: char| c != ',' && c != '\n');
+    format!("{before}{key}{value}{rest}")
 }

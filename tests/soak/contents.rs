@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// The bytes of all files by their paths, the wall time of frames taken out of reports.
+/// The bytes of all files by their paths, hidden ones included.
 #[derive(PartialEq)]
 pub struct Contents(BTreeMap<String, Vec<u8>>);
 
 impl Contents {
-    /// Of a folder. Files whose names begin with a dot were never finished: they count for nothing.
+    /// Of a folder.
     pub fn of(folder: &Path) -> Contents {
         let mut files = BTreeMap::new();
         gather(folder, "", &mut files);
@@ -40,16 +40,8 @@ fn gather(folder: &Path, prefix: &str, files: &mut BTreeMap<String, Vec<u8>>) {
         let path = entry.path();
         if path.is_dir() {
             gather(&path, &format!("{prefix}{name}/"), files);
-        } else if !name.starts_with('.') {
-            let bytes = fs::read(&path).expect("a file");
-            let bytes = if name.ends_with(".json") { without_seconds(&bytes) } else { bytes };
-            files.insert(format!("{prefix}{name}"), bytes);
+        } else {
+            files.insert(format!("{prefix}{name}"), fs::read(&path).expect("a file"));
         }
     }
-}
-
-fn without_seconds(json: &[u8]) -> Vec<u8> {
-    let text = String::from_utf8_lossy(json);
-    let lines = text.lines().filter(|line| !line.trim_start().starts_with("\"seconds\""));
-    lines.collect::<Vec<_>>().join("\n").into_bytes()
 }

@@ -1,6 +1,7 @@
 //! Killed at random moments, a film goes on to the same files.
 
 use crate::contents::Contents;
+use crate::random::Random;
 use crate::{PROGRAM, Tally, film, finish};
 use std::fs;
 use std::path::Path;
@@ -9,19 +10,6 @@ use std::time::{Duration, Instant};
 
 /// Kills of one film, before it is let go to its end.
 const IN_A_ROW: usize = 5;
-
-/// Numbers in [0, 1), the same ones from the same seed (Vigna's splitmix64).
-struct Random(u64);
-
-impl Random {
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 /// Whether the program was still at work after that time, and was killed.
 fn killed_after(at: &Path, out: &str, time: Duration) -> bool {

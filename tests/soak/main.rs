@@ -15,10 +15,12 @@
 )]
 
 mod contents;
+mod corrupted;
 mod injected;
 mod killed;
 mod memory;
 mod processors;
+mod random;
 
 use std::path::Path;
 use std::process::{Command, Output};

@@ -361,11 +361,15 @@ fn a_forged_number_of_frames_is_seen() {
     cache(folder.path());
     let path = folder.path().join("manifest.json");
     let text = fs::read_to_string(&path).unwrap();
-    let forged = text.replace("\"frame_count\": 4", "\"frame_count\": 1152921504606846976");
-    let (_, body) = forged.split_once("\",").unwrap();
-    fs::write(&path, format!("{{\n  \"crc32\": \"{:08x}\",{body}", crc32fast::hash(body.as_bytes()))).unwrap();
-    let error = FilmFolder::open(folder.path()).unwrap_err();
-    assert!(error.to_string().contains("it has 1152921504606846976 frames and keys of 4"), "{error}");
+    for (frames, reason) in
+        [(1_152_921_504_606_846_976_u64, "a film has 1 to 999999"), (5, "it has 5 frames and keys of 4")]
+    {
+        let forged = text.replace("\"frame_count\": 4", &format!("\"frame_count\": {frames}"));
+        let (_, body) = forged.split_once("\",").unwrap();
+        fs::write(&path, format!("{{\n  \"crc32\": \"{:08x}\",{body}", crc32fast::hash(body.as_bytes()))).unwrap();
+        let error = FilmFolder::open(folder.path()).unwrap_err();
+        assert!(error.to_string().contains(reason), "{error}");
+    }
 }
 
 /// A film of the first format, in which nothing says what its frames are made of.
