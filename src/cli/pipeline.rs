@@ -139,7 +139,7 @@ fn begin(scene: &Scene, folder: &Path, restart: bool, log: &Log) -> Result<(Film
     if !changes.is_empty() {
         let (kept, stale) = sorted_out(&film, &set_up)?;
         let says = |frames: &[usize], what: &str| format!("{} {what}", frames_in_words(frames));
-        log.note(&format!(
+        log.note(format_args!(
             "{}: {} changed since; {}, {}",
             folder.display(),
             in_words(&changes),

@@ -166,7 +166,8 @@ fn pictures_are_made_when_they_are_missing_or_stale_and_not_else() {
     assert!(out.contains("0 pictures made, 5 were there"), "{out}");
     assert_eq!(film.times(), times, "a finished film is touched");
     let at = |name: &str| film.0.path().join("out").join(name);
-    let damages: [(&str, &dyn Fn(&Path)); 6] = [
+    type Damage<'a> = (&'a str, &'a dyn Fn(&Path));
+    let damages: [Damage; 6] = [
         ("000002.png", &|path| fs::remove_file(path).unwrap()),
         ("000003.exr", &|path| fs::write(path, &fs::read(path).unwrap()[..500]).unwrap()),
         ("000004.png", &|path| {

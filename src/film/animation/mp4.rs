@@ -82,7 +82,7 @@ impl Animation for Mp4 {
     }
 
     fn finish(self: Box<Self>) -> Result<(), FilmError> {
-        let Mp4 { mut muxer, draft, reeling, .. } = *self;
+        let Mp4 { mut muxer, draft, .. } = *self;
         muxer.finish_in_place().map_err(|error| draft.error(error))?;
         let mut writer = muxer.into_writer();
         // Who made it, in a box that players skip.
