@@ -49,6 +49,29 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     publish(file, path)
 }
 
+/// As [`write`]; a file that already has the bytes is left alone, so that looking at a film does not touch it.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn write_unless_same(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    match read(path, u64::MAX) {
+        Ok(there) if there == bytes => Ok(()),
+        Err(error @ ReadError::NoFile(_)) => Err(io::Error::other(error.to_string())),
+        _ => write(path, bytes),
+    }
+}
+
+/// Removes a file if it is there.
+///
+/// # Errors
+/// What the system says.
+pub(crate) fn remove(path: &Path) -> io::Result<()> {
+    match fs::remove_file(path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
+        _ => Ok(()),
+    }
+}
+
 /// Why a file cannot be read whole.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum ReadError {

@@ -7,9 +7,10 @@ use std::sync::Arc;
 use super::failure::PipelineError;
 use super::process::Session;
 use super::progress::Log;
+use super::results::ranges;
 use super::set_up::{SetUp, at_fault, contradictions, frame_keys};
 use crate::advice::Advice;
-use crate::evolve::{self, Observer};
+use crate::evolve::{self, Observer, Simulation};
 use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Pictured, Plan};
 use crate::scene::Scene;
 
@@ -98,14 +99,16 @@ fn simulate_for(
 ) -> Result<Summary, PipelineError> {
     Plan::of(scene)?; // nothing is computed for a picture that cannot be made
     let unchanged = if restart { None } else { FilmFolder::open_unchanged(folder, scene)? };
-    let (film, mut ready) = match unchanged {
-        Some(film) => (film, None),
+    let (film, valid, mut ready) = match unchanged {
+        Some(film) => {
+            let valid = film.valid_frames()?;
+            (film, valid, None)
+        }
         None => {
-            let (film, set_up) = begin(scene, folder, restart, log)?;
-            (film, Some(set_up))
+            let (film, valid, set_up) = begin(scene, folder, restart, log)?;
+            (film, valid, Some(set_up))
         }
     };
-    let valid = film.valid_frames()?;
     let kept = valid.iter().filter(|&&valid| valid).count();
     log.begin_film(kept, valid.len());
     // Whoever makes pictures then knows at once how far the film goes.
@@ -127,8 +130,14 @@ fn simulate_for(
     Ok(Summary { made: valid.len() - kept, kept })
 }
 
-/// Sets a film up and opens its folder. Says which frames of the film as it was before are kept, and why the others are not.
-fn begin(scene: &Scene, folder: &Path, restart: bool, log: &Log) -> Result<(FilmFolder, SetUp), PipelineError> {
+/// Sets a film up and opens its folder. Gives per frame whether it is there, and says of a film that has changed which
+/// frames are kept and why the others are not.
+fn begin(
+    scene: &Scene,
+    folder: &Path,
+    restart: bool,
+    log: &Log,
+) -> Result<(FilmFolder, Vec<bool>, SetUp), PipelineError> {
     let mut set_up = set_up(scene, log)?;
     let keys = frame_keys(scene, &mut set_up.simulation)?;
     if restart {
@@ -136,33 +145,28 @@ fn begin(scene: &Scene, folder: &Path, restart: bool, log: &Log) -> Result<(Film
     }
     let (spec, mesh) = (FilmSpec::of(scene, keys), set_up.film_mesh(scene));
     let (film, changes) = FilmFolder::open_or_create(folder, &spec, &mesh)?;
+    let valid = film.valid_frames()?;
     if !changes.is_empty() {
-        let (kept, stale) = sorted_out(&film, &set_up)?;
-        let says = |frames: &[usize], what: &str| format!("{} {what}", frames_in_words(frames));
-        log.note(format_args!(
-            "{}: {} changed since; {}, {}",
-            folder.display(),
-            in_words(&changes),
-            says(&kept, "kept"),
-            says(&stale, "to be computed")
-        ));
+        retime(&film, &valid, &set_up.simulation)?;
+        let (kept, stale): (Vec<usize>, Vec<usize>) = (1..=valid.len()).partition(|&frame| valid[frame - 1]);
+        let (kept, stale) = (frames_in_words(&kept), frames_in_words(&stale));
+        let (folder, changes) = (folder.display(), in_words(&changes));
+        log.note(format_args!("{folder}: {changes} changed since; {kept} kept, {stale} to be computed"));
     }
-    Ok((film, set_up))
+    Ok((film, valid, set_up))
 }
 
-/// The frames that are kept, and those that are not. Where time is but a label, kept ones get the one they have now.
-fn sorted_out(film: &FilmFolder, set_up: &SetUp) -> Result<(Vec<usize>, Vec<usize>), PipelineError> {
-    let valid = film.valid_frames()?;
-    let (kept, stale): (Vec<usize>, Vec<usize>) = (1..=valid.len()).partition(|&frame| valid[frame - 1]);
-    for &frame in &kept {
-        let time = set_up.simulation.clock().time(frame);
+/// Where time is but a label, frames that are kept get the one they have now.
+fn retime(film: &FilmFolder, valid: &[bool], simulation: &Simulation) -> Result<(), PipelineError> {
+    for (frame, _) in (1..).zip(valid).filter(|(_, valid)| **valid) {
+        let time = simulation.clock().time(frame);
         if film.contents(frame)?.1.time != time {
             let mut frame = film.read_frame(frame)?;
             frame.report.time = time;
             film.write_frame(&frame)?;
         }
     }
-    Ok((kept, stale))
+    Ok(())
 }
 
 /// A simulation, with all that is worth saying of it said.
@@ -190,14 +194,10 @@ fn set_up_after(scene: &Scene, film: &FilmFolder, frame: usize, log: &Log) -> Re
 
 /// "frames 1-49, 52", or that there is none.
 fn frames_in_words(frames: &[usize]) -> String {
-    let runs = frames.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
-        [first, .., last] => format!("{first}-{last}"),
-        one => one.iter().map(usize::to_string).collect(),
-    });
     match frames {
         [] => "no frames".to_owned(),
-        [one] => format!("frame {one}"),
-        _ => format!("frames {}", runs.collect::<Vec<_>>().join(", ")),
+        [frame] => format!("frame {frame}"),
+        _ => format!("frames {}", ranges(frames)),
     }
 }
 
@@ -225,24 +225,22 @@ impl Observer for Watcher<'_> {
 /// Makes sure that the folder holds the film of the scene, as far as it was computed: its frames are known by their keys. A
 /// folder with an earlier version of the film is brought up to date, so that frames which are no longer of it are told.
 fn is_of_scene(scene: &Scene, folder: &Path) -> Result<(), PipelineError> {
-    FilmFolder::open(folder)?;
     if FilmFolder::open_unchanged(folder, scene)?.is_none() {
         let mut set_up = SetUp::of(scene)?;
         let keys = frame_keys(scene, &mut set_up.simulation)?;
         let (film, _) = FilmFolder::open_or_create(folder, &FilmSpec::of(scene, keys), &set_up.film_mesh(scene))?;
-        sorted_out(&film, &set_up)?;
+        retime(&film, &film.valid_frames()?, &set_up.simulation)?;
     }
     Ok(())
 }
 
-/// Makes the pictures that the scene asks for of computed frames, given by number in order.
+/// Makes the pictures that the scene asks for of computed frames, given by number in order. There must be a film.
 pub(super) fn render_frames(
     scene: &Scene,
     folder: &Path,
     frames: &[usize],
     session: &Session,
 ) -> Result<Summary, PipelineError> {
-    Plan::of(scene)?;
     is_of_scene(scene, folder)?;
     let arrivals = Arrivals::over().unless(session.signals.flag());
     let watch = &mut |event| session.log.pictures(event);

@@ -115,12 +115,9 @@ impl Ledger {
             bytes.extend(line);
             bytes.push(b'\n');
         }
-        let there = fs::read(&path).ok();
-        let written = match there {
-            Some(there) if there == bytes && !bytes.is_empty() => Ok(()),
-            None if bytes.is_empty() => Ok(()),
-            Some(_) if bytes.is_empty() => fs::remove_file(&path),
-            _ => whole_file::write(&path, &bytes),
+        let written = match bytes.is_empty() {
+            true => whole_file::remove(&path),
+            false => whole_file::write_unless_same(&path, &bytes),
         };
         written.map_err(|error| FilmError::write(&path, error))
     }

@@ -6,11 +6,14 @@ use std::{
     path::Path,
 };
 
+use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
 use super::ledger::{LEDGER, Ledger};
+use super::pictures::SHEET;
 use crate::digest::{Digest, Key};
 use crate::scene::{AnimationFormat, OutputSection};
+use crate::whole_file;
 
 /// What was found beside the pictures of a film, by name in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -99,10 +102,7 @@ fn made_files(folder: &Path) -> Result<Vec<(String, Made)>, FilmError> {
 }
 
 fn remove(path: &Path) -> Result<(), FilmError> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(FilmError::write(path, error)),
-        _ => Ok(()),
-    }
+    whole_file::remove(path).map_err(|error| FilmError::write(path, error))
 }
 
 /// Files that are made of a film.
@@ -121,12 +121,12 @@ impl Made {
         let is_number = stem.len() == 6 && stem.bytes().all(|b| b.is_ascii_digit());
         match (stem, ending) {
             (_, "png" | "exr") if is_number => Some(Made::Frame(stem.parse().ok()?, ending == "png")),
-            ("film", "gif") => Some(Made::Film(AnimationFormat::Gif)),
-            ("film", "apng") => Some(Made::Film(AnimationFormat::Apng)),
-            ("film", "mp4") => Some(Made::Film(AnimationFormat::Mp4)),
-            ("sheet", "png") => Some(Made::Sheet),
+            _ if name == SHEET => Some(Made::Sheet),
             ("curves", "csv" | "svg") => Some(Made::Curves),
-            _ => None,
+            _ => {
+                let formats = [AnimationFormat::Gif, AnimationFormat::Apng, AnimationFormat::Mp4];
+                formats.into_iter().find(|&format| file_name(format) == name).map(Made::Film)
+            }
         }
     }
 

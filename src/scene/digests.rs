@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::data::{BendingFrom, ChangeKind, LengthSource, Scene, StartFrom};
 use crate::digest::{Digest, Key};
+use crate::whole_file;
 
 impl Scene {
     /// A path of the scene, seen from the working folder.
@@ -46,12 +47,8 @@ impl Scene {
     }
 
     fn with_files<'a>(&self, digest: Digest, files: impl IntoIterator<Item = &'a PathBuf>) -> Digest {
-        let of_file = |path: &PathBuf| {
-            let path = self.resolve(path);
-            // Whoever reads a device or a pipe reads for ever.
-            let bytes = if path.is_file() { std::fs::read(path).unwrap_or_default() } else { Vec::new() };
-            Key::of_bytes(&bytes)
-        };
+        let of_file =
+            |path: &PathBuf| Key::of_bytes(&whole_file::read(&self.resolve(path), u64::MAX).unwrap_or_default());
         files.into_iter().map(of_file).fold(digest, Digest::key)
     }
 }

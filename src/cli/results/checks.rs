@@ -143,7 +143,7 @@ pub fn step_limit_line(film: &[FrameReport]) -> Option<String> {
         (1, _) => "`max_steps` of the last [[phase]] and under [clock]",
         _ => "`max_steps` under [clock]",
     };
-    let frames = ranges(unconverged.iter().map(|report| report.frame));
+    let frames = ranges(&unconverged.iter().map(|report| report.frame).collect::<Vec<_>>());
     Some(format!(
         "{count} of {all} frames ran into the step limit before they settled ({frames}); their length error is up to \
          {error}; raise {limit}, raise `tolerance` there, or make the film of more frames"
@@ -151,20 +151,14 @@ pub fn step_limit_line(film: &[FrameReport]) -> Option<String> {
 }
 
 /// Frame numbers in order as in 1-20,30.
-fn ranges(frames: impl Iterator<Item = usize>) -> String {
-    let mut ranges: Vec<[usize; 2]> = Vec::new();
-    for frame in frames {
-        match ranges.last_mut() {
-            Some([_, last]) if *last + 1 == frame => *last = frame,
-            _ => ranges.push([frame, frame]),
-        }
-    }
-    let more = ranges.len().saturating_sub(SHOWN_RANGES);
-    let mut texts: Vec<String> = ranges
-        .into_iter()
-        .take(SHOWN_RANGES)
-        .map(|[first, last]| if first == last { first.to_string() } else { format!("{first}-{last}") })
-        .collect();
+pub(in crate::cli) fn ranges(frames: &[usize]) -> String {
+    let stretches = frames.chunk_by(|a, b| a + 1 == *b);
+    let in_words = |stretch: &[usize]| match stretch {
+        [first, .., last] => format!("{first}-{last}"),
+        one => one.iter().map(usize::to_string).collect(),
+    };
+    let mut texts: Vec<String> = stretches.clone().take(SHOWN_RANGES).map(in_words).collect();
+    let more = stretches.count().saturating_sub(SHOWN_RANGES);
     if more > 0 {
         texts.push(format!("and {more} more stretches"));
     }

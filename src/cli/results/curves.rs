@@ -1,7 +1,6 @@
 //! The curves of a film: what its frames are worth over time, as a table (`curves.csv`) and as a figure (`curves.svg`).
 
 use std::fmt;
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -23,10 +22,7 @@ pub(in crate::cli) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Re
     for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports))] {
         let path = folder.join(name);
         let text = text.map_err(|source| DiskError::Io { path: path.clone(), action: "written", source })?;
-        if fs::read(&path).is_ok_and(|there| there == text.as_bytes()) {
-            continue;
-        }
-        whole_file::write(&path, text.as_bytes()).map_err(|source| DiskError::Io {
+        whole_file::write_unless_same(&path, text.as_bytes()).map_err(|source| DiskError::Io {
             path,
             action: "written",
             source,

@@ -6,6 +6,7 @@ mod inspect;
 mod text_table;
 mod verdict;
 
+pub(super) use checks::ranges;
 pub use checks::{Check, checks_of, step_limit_line};
 pub(super) use curves::write_curves;
 pub use curves::{curves_csv, curves_svg};

@@ -43,8 +43,9 @@ impl FilmFolder {
     pub fn open_unchanged(folder: &Path, scene: &Scene) -> Result<Option<FilmFolder>, DiskError> {
         match FilmFolder::open(folder) {
             Ok(film) => {
-                let Some(keys) = film.manifest.keys_for(&scene.section_keys()) else { return Ok(None) };
-                let spec = FilmSpec::of(scene, keys.to_vec());
+                let sections = scene.section_keys();
+                let Some(keys) = film.manifest.keys_for(&sections) else { return Ok(None) };
+                let spec = FilmSpec::of_sections(scene, sections, keys.to_vec());
                 let Manifest { mesh, mesh_sha256, .. } = film.manifest;
                 match film.mesh() {
                     // Names and checks may have changed; they decide no frame.
@@ -316,9 +317,8 @@ fn create_folder(folder: &Path) -> Result<(), DiskError> {
     whole_file::create_folder(folder).map(drop).map_err(DiskError::io(folder, "created"))
 }
 
-/// A file that already has the bytes is left alone, so that looking at a film does not touch it.
 fn write_unless_same(path: &Path, bytes: &[u8]) -> Result<(), DiskError> {
-    if read(path)?.as_deref() == Some(bytes) { Ok(()) } else { write_whole(path, bytes) }
+    whole_file::write_unless_same(path, bytes).map_err(DiskError::io(path, "written"))
 }
 
 fn sealed(path: &Path, record: &impl Serialize) -> Result<Vec<u8>, DiskError> {

@@ -26,7 +26,12 @@ pub struct FilmSpec {
 impl FilmSpec {
     /// The film of a scene, whose frames have these keys.
     pub fn of(scene: &Scene, keys: Vec<Key>) -> FilmSpec {
-        FilmSpec { scene: scene.name.clone(), sections: scene.section_keys(), keys, checks: scene.checks.clone() }
+        FilmSpec::of_sections(scene, scene.section_keys(), keys)
+    }
+
+    /// The same, with sections whose files need not be read again.
+    pub(super) fn of_sections(scene: &Scene, sections: BTreeMap<String, Key>, keys: Vec<Key>) -> FilmSpec {
+        FilmSpec { scene: scene.name.clone(), sections, keys, checks: scene.checks.clone() }
     }
 }
 

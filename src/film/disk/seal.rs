@@ -1,6 +1,5 @@
 //! Files that are whole or absent, and JSON that carries its own checksum.
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
@@ -18,10 +17,7 @@ pub(super) fn write_whole(path: &Path, bytes: &[u8]) -> Result<(), DiskError> {
 
 /// Removes a file if it is there.
 pub(super) fn remove(path: &Path) -> Result<(), DiskError> {
-    match fs::remove_file(path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(DiskError::io(path, "removed")(error)),
-        _ => Ok(()),
-    }
+    whole_file::remove(path).map_err(DiskError::io(path, "removed"))
 }
 
 /// The most bytes of a file of a film: a frame of the largest mesh has fewer.

@@ -22,4 +22,5 @@ pub use keys::RENDERER;
 pub use passes::{Arrivals, Event, Watch};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
+pub(super) use stills::SHEET;
 pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};

@@ -73,7 +73,7 @@ pub fn make_pictures_of_arrivals(
 }
 
 /// The contact sheet of a film.
-const SHEET: &str = "sheet.png";
+pub(in crate::film) const SHEET: &str = "sheet.png";
 
 /// Stills and moving pictures.
 fn film(
@@ -89,7 +89,7 @@ fn film(
     let reeling = Reeling { width, height, frames: frames.len(), rate: output.frame_rate };
     plan.notes().into_iter().for_each(|note| watch(Event::Note(note)));
     let mut formats = output.animation.clone();
-    if survey.reel.has(frames) {
+    if !formats.is_empty() && survey.reel.has(frames) {
         let keys = keys_of(plan, survey, frames, &plan.output)?;
         formats.retain(|&format| ledger.fresh(file_name(format), key_of_animation(format, reeling, &keys)).is_none());
     }
