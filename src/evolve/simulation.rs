@@ -1,16 +1,16 @@
 //! Algorithm 2 in time: a surface whose metric changes, frame by frame.
 
-use super::contradictions::contradictions;
+use super::ahead::contradictions;
+use super::ahead::{LookAhead, keys_of, origin_of};
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::frame::{Frame, check_face_frames};
-use super::keys::{LookAhead, keys_of, origin_of};
 use super::pace::Pace;
+use super::places::Row;
 use super::program::Program;
 use super::progress::Observer;
 use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
-use super::row::Row;
 use crate::algebra::Complex;
 use crate::digest::Key;
 use crate::immersion::spin_of_immersion;

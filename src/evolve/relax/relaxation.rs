@@ -6,7 +6,7 @@ use super::phase::{Phase, Schedule};
 use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::{EvolveError, SetupError};
 use crate::evolve::frame::Frame;
-use crate::evolve::placement::Placement;
+use crate::evolve::places::Placement;
 use crate::evolve::program::{Orientation, Start};
 use crate::evolve::state::{Mark, State};
 use crate::frames::{Shell, Stepper, random_frames, spectral_frames};

@@ -41,7 +41,7 @@ fn results_are_those_of_this_algorithm() {
     assert_eq!(
         (ALGORITHM, found.as_str()),
         KNOWN,
-        "Results have changed. If they are to, raise ALGORITHM in src/evolve/keys.rs and write what was found here."
+        "Results have changed. If they are to, raise ALGORITHM in src/evolve/ahead/keys.rs and write what was found here."
     );
 }
 

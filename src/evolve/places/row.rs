@@ -1,11 +1,11 @@
 //! Where the components of a surface stand beside each other.
 
 use super::placement::{middle, next_in_row};
-use super::relax::Relaxation;
+use crate::evolve::relax::Relaxation;
 use glam::DVec3;
 
 /// What decides where components stand.
-pub(super) struct Row<'a> {
+pub(in crate::evolve) struct Row<'a> {
     /// Positions of the mesh, |V|, if it has any.
     pub mesh_positions: Option<&'a [DVec3]>,
     /// Those of the frame before, |V|.

@@ -1,7 +1,7 @@
 //! Where the surface lies in space: films must not spin or jump.
 
-use super::program::Start;
-use super::state::State;
+use crate::evolve::program::Start;
+use crate::evolve::state::State;
 use crate::immersion::RigidMotion;
 use crate::mesh::Mesh;
 use crate::metric::{Metric, lengths_of_positions};
@@ -10,7 +10,7 @@ use glam::DVec3;
 
 /// What a component is laid upon, besides the frame before.
 #[derive(Clone, Debug)]
-pub(super) struct Placement {
+pub(in crate::evolve) struct Placement {
     /// Positions of the mesh, |V|, where the metric at the start is theirs.
     original: Option<Vec<DVec3>>,
     /// Positions that frames start from, |V|.
@@ -113,12 +113,12 @@ fn are_lengths_of(mesh: &Mesh, metric: &Metric, positions: &[DVec3]) -> bool {
 }
 
 /// The mean of some points.
-pub(super) fn middle(points: &[DVec3]) -> DVec3 {
+pub(in crate::evolve) fn middle(points: &[DVec3]) -> DVec3 {
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
 /// What moves positions to the end of a row along x that ends at `row`, which grows by them.
-pub(super) fn next_in_row(positions: &[DVec3], row: &mut f64) -> DVec3 {
+pub(in crate::evolve) fn next_in_row(positions: &[DVec3], row: &mut f64) -> DVec3 {
     let (low, high) = positions.iter().fold((f64::MAX, f64::MIN), |(low, high), p| (low.min(p.x), high.max(p.x)));
     let begin = if *row == 0.0 { low } else { *row };
     *row = begin + (1.0 + GAP_BETWEEN_COMPONENTS) * (high - low);

@@ -1,7 +1,7 @@
 //! Pins that no surface with the lengths of the metric can keep.
 
-use super::course::Course;
-use super::error::EvolveError;
+use crate::evolve::course::Course;
+use crate::evolve::error::EvolveError;
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::shortest_paths;
 use crate::text::four_digits;
@@ -30,7 +30,11 @@ enum Length {
 ///
 /// # Errors
 /// [`EvolveError`] where there is no metric or no place for a pin.
-pub(super) fn contradictions(mesh: &Mesh, course: &Course, clock: &Clock) -> Result<Vec<String>, EvolveError> {
+pub(in crate::evolve) fn contradictions(
+    mesh: &Mesh,
+    course: &Course,
+    clock: &Clock,
+) -> Result<Vec<String>, EvolveError> {
     let pins = course.pins();
     let pinned = pins.vertices();
     if pinned.len() < 2 {

@@ -4,13 +4,13 @@
 //! lengths, bending angles and places of pins, then and at the times between. The first key is made of what all frames depend on:
 //! the mesh, the start, the class, the phases and constants, and [`ALGORITHM`].
 
-use super::course::{Course, metric_of};
-use super::error::EvolveError;
-use super::follow::Station;
-use super::pace::{Pace, Settling};
-use super::program::{AskedClass, Orientation, Program, Start};
-use super::relax::{Phase, TimeStep};
 use crate::digest::{Digest, Key};
+use crate::evolve::course::{Course, metric_of};
+use crate::evolve::error::EvolveError;
+use crate::evolve::follow::Station;
+use crate::evolve::pace::{Pace, Settling};
+use crate::evolve::program::{AskedClass, Orientation, Program, Start};
+use crate::evolve::relax::{Phase, TimeStep};
 use crate::frames::Method;
 use crate::mesh::{Component, Mesh, Surface, VertexId};
 use crate::metric::Metric;
@@ -24,7 +24,7 @@ use std::sync::Arc;
 pub const ALGORITHM: u32 = 1;
 
 /// The key of every frame of a film, in order; `origin` stands for what they all depend on.
-pub(super) fn keys_of(origin: Key, clock: &Clock, ahead: &mut LookAhead) -> Result<Vec<Key>, EvolveError> {
+pub(in crate::evolve) fn keys_of(origin: Key, clock: &Clock, ahead: &mut LookAhead) -> Result<Vec<Key>, EvolveError> {
     let asked = clock.times().map(|time| ahead.asked_at(time)).collect::<Result<Vec<_>, _>>()?;
     let mut key = origin;
     if clock.is_looping() {
@@ -40,7 +40,7 @@ pub(super) fn keys_of(origin: Key, clock: &Clock, ahead: &mut LookAhead) -> Resu
 }
 
 /// Goes through the times of a film as the simulation will.
-pub(super) struct LookAhead<'a> {
+pub(in crate::evolve) struct LookAhead<'a> {
     course: &'a mut Course,
     components: Vec<&'a Component>,
     /// Where the metric is followed through times between those of frames.
@@ -114,7 +114,7 @@ fn add(digest: Digest, course: &mut Course, time: f64) -> Result<Digest, EvolveE
 }
 
 /// A key of what all frames depend on.
-pub(super) fn origin_of(surface: &Surface, program: &Program) -> Key {
+pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key {
     // Every field is named here, so that none is forgotten. What changes with time is asked for frame by frame.
     let Program { metric: _, bending, pins: _, class, start, orientation, schedule, accuracy, is_smooth, clock, pace } =
         program;
