@@ -15,7 +15,7 @@ const GLANCE: Duration = Duration::from_millis(20);
 /// After a signal the work may finish what it is at for so long.
 const GRACE: Duration = Duration::from_millis(1500);
 /// Within this time a second signal is the first one sent twice.
-const TWICE: Duration = Duration::from_millis(300);
+const TWICE: Duration = Duration::from_millis(30);
 /// As on the main thread of a program.
 const STACK: usize = 8 << 20;
 

@@ -33,12 +33,28 @@ pub fn folder_with(scene: &str) -> TempDir {
     folder
 }
 
-/// The program, about to start in a folder.
+/// The program, about to start in a folder. Tests that run in the background of a shell ignore SIGINT, which the program
+/// would take over from them.
 pub fn immerse(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_immerse"));
+    const PROGRAM: &str = env!("CARGO_BIN_EXE_immerse");
+    let mut command = if are_signals_ignored() {
+        let mut command = Command::new("env");
+        command.args(["--default-signal=INT,TERM,HUP", PROGRAM]);
+        command
+    } else {
+        Command::new(PROGRAM)
+    };
     command.current_dir(folder).args(arguments).env_remove("NO_COLOR").env_remove("RUST_BACKTRACE");
     command.stdin(Stdio::null());
     command
+}
+
+/// Whether SIGHUP, SIGINT or SIGTERM are ignored by the tests themselves.
+fn are_signals_ignored() -> bool {
+    const THESE: u64 = 1 << (1 - 1) | 1 << (2 - 1) | 1 << (15 - 1);
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask & THESE != 0)
 }
 
 /// The program in a shell that knows it as $IMMERSE.
@@ -93,7 +109,7 @@ pub fn wait_until(what: &str, holds: impl Fn() -> bool) {
     }
 }
 
-/// All files below a folder but reports, which say how long a frame took, with their bytes.
+/// All files below a folder, with their bytes.
 pub fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut files = BTreeMap::new();
     let mut folders = vec![folder.to_owned()];
@@ -103,10 +119,7 @@ pub fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
             if path.is_dir() {
                 folders.push(path);
             } else {
-                let has_seconds = path.parent().is_some_and(|parent| parent.ends_with("frames"))
-                    && path.extension().is_some_and(|ending| ending == "json")
-                    || path.file_name().is_some_and(|name| name == "curves.csv");
-                let bytes = if has_seconds { Vec::new() } else { fs::read(&path).expect("a file") };
+                let bytes = fs::read(&path).expect("a file");
                 files.insert(path.strip_prefix(folder).expect("it is below").to_owned(), bytes);
             }
         }

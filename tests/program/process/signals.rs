@@ -91,6 +91,21 @@ fn a_picture_that_takes_long_is_dropped() {
     assert_tidy(&at.join("out"));
 }
 
+/// As `timeout` and `make` send it: to the program, and to the group that it is in.
+#[test]
+fn a_signal_that_comes_twice_at_once_is_one() {
+    let folder = folder_with(&film(8, FRAMES, ""));
+    let at = folder.path();
+    let child = start(at, &["run", "film.toml", "--out", "out", "-q"]);
+    wait_until("three frames", has(&at.join("out"), "frames/000003.json"));
+    let twice = format!("kill -INT {0}; kill -INT {0}", child.id());
+    assert!(shell(at, &twice).status.success());
+    let output = end_of(child);
+    assert_code(&output, 130);
+    assert!(err(&output).contains("the same command goes on"), "{}", err(&output));
+    assert_tidy(&at.join("out"));
+}
+
 #[test]
 fn setting_up_is_left_at_once() {
     // A mesh that takes seconds to set up.
