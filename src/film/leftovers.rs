@@ -11,7 +11,6 @@ use super::disk::FilmFolder;
 use super::error::FilmError;
 use super::ledger::{LEDGER, Ledger};
 use super::pictures::SHEET;
-use crate::digest::{Digest, Key};
 use crate::scene::{AnimationFormat, OutputSection};
 use crate::whole_file;
 
@@ -34,7 +33,7 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
     let film = FilmFolder::open(folder)?;
     let frames = film.manifest().frame_count;
     let ledger = Ledger::open(folder)?;
-    let of_all = key_of_all_frames(&film);
+    let of_all = film.all_contents();
     let mut leftovers = Leftovers::default();
     leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
@@ -76,12 +75,6 @@ pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
 /// [`FilmError::Render`] if the list cannot be removed.
 pub fn forget_pictures(folder: &Path) -> Result<(), FilmError> {
     remove(&folder.join(LEDGER))
-}
-
-/// Stands for the frames of a film as they are now.
-pub(super) fn key_of_all_frames(film: &FilmFolder) -> Key {
-    let states = (1..=film.manifest().frame_count).map(|frame| film.contents(frame).ok().map(|(state, _)| state));
-    states.fold(Digest::of("film"), |digest, state| digest.shown(&state)).finish()
 }
 
 /// The files in a folder that have the names of pictures and curves, in order.

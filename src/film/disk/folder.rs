@@ -11,7 +11,7 @@ use super::frame_names::{frame_files, frame_number};
 use super::manifest::{FORMAT, FilmSpec, Manifest, MeshCounts};
 use super::mesh_file::{FilmMesh, file_faces_of, triangles_of};
 use super::seal::{SealError, read, remove, seal, unseal, write_whole};
-use crate::digest::Key;
+use crate::digest::{Digest, Key};
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::Mesh;
 use crate::scene::Scene;
@@ -224,6 +224,12 @@ impl FilmFolder {
     pub fn contents(&self, frame: usize) -> Result<(Key, FrameReport), DiskError> {
         let record = self.record(frame)?;
         Ok((record.state_sha256, record.report))
+    }
+
+    /// Stands for the states of all frames as they are now, those included that are not there.
+    pub fn all_contents(&self) -> Key {
+        let states = (1..=self.manifest.frame_count).map(|frame| self.contents(frame).ok().map(|(state, _)| state));
+        states.fold(Digest::of("film"), |digest, state| digest.shown(&state)).finish()
     }
 
     /// Per frame: whether it is there, verifies, and is of the film as it is now. The others are to be computed.

@@ -12,7 +12,6 @@ use crate::digest::{Digest, Key};
 use crate::film::animation::{Animation, Palette, Reeling, begin, file_name};
 use crate::film::error::FilmError;
 use crate::film::ledger::Ledger;
-use crate::film::leftovers::key_of_all_frames;
 use crate::render::{Output, Picture};
 use crate::scene::{AnimationFormat, Scene};
 
@@ -65,7 +64,7 @@ pub fn make_pictures_of_arrivals(
         if ledger.fresh(SHEET, key).is_none() {
             let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
             film.write_png(&folder.join(SHEET), plan.png.unwrap_or_default(), &metadata(&plan))?;
-            ledger.enter(SHEET, key, key_of_all_frames(survey.reel.film()))?;
+            ledger.enter(SHEET, key, survey.reel.film().all_contents())?;
         }
     }
     ledger.close()?;
@@ -130,7 +129,7 @@ fn film(
     )?;
     animations.into_iter().try_for_each(|animation| animation.finish())?;
     if moving {
-        let (keys, shows) = (keys_of(plan, survey, frames, &plan.output)?, key_of_all_frames(survey.reel.film()));
+        let (keys, shows) = (keys_of(plan, survey, frames, &plan.output)?, survey.reel.film().all_contents());
         let enter = |&format: &AnimationFormat| {
             ledger.enter(file_name(format), key_of_animation(format, reeling, &keys), shows)
         };
