@@ -1,8 +1,8 @@
 //! Which pictures of a film are made: `.immerse/pictures.jsonl` in its folder.
 //!
-//! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum. Lines are
-//! appended as files appear, and the last one of a file holds; a line that was cut counts for nothing, and its file is
-//! made again. In the end the lines are put in order, so that the file has the same bytes however often a run was interrupted.
+//! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum, after a
+//! checksum of the line itself. Lines are appended as files appear, and the last one of a file holds; a line that is not as
+//! it was written counts for nothing, and its file is made again. In the end the lines are put in order, so that the file has the same bytes however often a run was interrupted.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -49,6 +49,27 @@ struct Line<'a> {
     sha256: Key,
 }
 
+/// How a line begins, before the CRC-32 of all the bytes after `SEALED`.
+const SEAL: &[u8] = b"{\"crc32\":\"";
+const SEALED: &[u8] = b"\",";
+
+impl Line<'_> {
+    /// With its checksum and its end.
+    fn written(&self) -> io::Result<Vec<u8>> {
+        let json = serde_json::to_vec(self)?;
+        let body = [json.strip_prefix(b"{").unwrap_or(&json), b"\n"].concat();
+        let crc = format!("{:08x}", crc32fast::hash(&body));
+        Ok([SEAL, crc.as_bytes(), SEALED, &body].concat())
+    }
+
+    /// The reverse; none of what is damaged.
+    fn read(line: &[u8]) -> Option<Line<'_>> {
+        let (crc, rest) = line.strip_prefix(SEAL)?.split_at_checked(8)?;
+        let body = rest.strip_prefix(SEALED)?;
+        (crc == format!("{:08x}", crc32fast::hash(body)).as_bytes()).then(|| serde_json::from_slice(line).ok())?
+    }
+}
+
 /// Where it is in the folder of a film.
 pub(super) const LEDGER: &str = ".immerse/pictures.jsonl";
 
@@ -65,7 +86,7 @@ impl Ledger {
             Err(error) => return Err(FilmError::read(&path, error)),
         };
         let whole_lines = bytes.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
-        let lines = whole_lines.filter_map(|line| serde_json::from_slice::<Line>(line).ok());
+        let lines = whole_lines.filter_map(Line::read);
         let entries =
             lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect();
         Ok(Ledger { folder: folder.to_owned(), pages: Mutex::new(Pages { entries, log: None }) })
@@ -111,9 +132,7 @@ impl Ledger {
         let mut bytes = Vec::new();
         for (file, &Entry { key, shows, sha256 }) in &entries {
             let line = Line { file: file.into(), key, shows, sha256 };
-            let line = serde_json::to_vec(&line).map_err(|error| FilmError::write(&path, error))?;
-            bytes.extend(line);
-            bytes.push(b'\n');
+            bytes.extend(line.written().map_err(|error| FilmError::write(&path, error))?);
         }
         let written = match bytes.is_empty() {
             true => whole_file::remove(&path),
@@ -141,8 +160,6 @@ impl Pages {
                 self.log.insert(log)
             }
         };
-        let mut bytes = serde_json::to_vec(line)?;
-        bytes.push(b'\n');
-        log.write_all(&bytes)
+        log.write_all(&line.written()?)
     }
 }

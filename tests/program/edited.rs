@@ -196,6 +196,25 @@ fn pictures_are_made_when_they_are_missing_or_stale_and_not_else() {
 }
 
 #[test]
+fn a_line_of_the_ledger_that_is_not_as_it_was_written_counts_for_nothing() {
+    let film = Film::of(SCENE);
+    let files = film.files();
+    let ledger = ".immerse/pictures.jsonl";
+    let text = String::from_utf8(files[ledger].clone()).unwrap();
+    let line = text.lines().find(|line| line.contains("000002.png")).expect("a line of the second picture");
+    for field in ["\"file\":\"", "\"key\":\"", "\"shows\":\"", "\"sha256\":\"", "\"crc32\":\""] {
+        let place = line.find(field).expect(field) + field.len() + 5;
+        // Another digit, and in the name of the file another frame.
+        let mut bytes = line.as_bytes().to_vec();
+        bytes[place] ^= 1;
+        let flipped = String::from_utf8(bytes).unwrap();
+        fs::write(film.0.path().join("out").join(ledger), text.replace(line, &flipped)).unwrap();
+        film.run(&["run"]);
+        assert!(film.files() == files, "{field} flipped");
+    }
+}
+
+#[test]
 fn a_damaged_frame_is_made_again_and_no_other() {
     let film = Film::of(SCENE);
     let files = film.files();
