@@ -1,6 +1,7 @@
 //! What identifies data: SHA-256 of numbers bit by bit and of texts with their lengths, so that no two sequences run together.
 
 use std::fmt::{self, Write};
+use std::io::{self, Read};
 use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
@@ -15,6 +16,23 @@ impl Key {
     /// SHA-256 of bytes alone, as `sha256sum` prints it.
     pub fn of_bytes(bytes: &[u8]) -> Key {
         Key(Sha256::digest(bytes).into())
+    }
+
+    /// As [`Key::of_bytes`], of bytes that need not fit into memory.
+    ///
+    /// # Errors
+    /// What the reader says.
+    pub fn of_reader(bytes: &mut impl Read) -> io::Result<Key> {
+        let mut digest = Sha256::new();
+        let mut some = vec![0; 1 << 16];
+        loop {
+            match bytes.read(&mut some) {
+                Ok(0) => return Ok(Key(digest.finalize().into())),
+                Ok(count) => digest.update(&some[..count]),
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+                Err(error) => return Err(error),
+            }
+        }
     }
 }
 

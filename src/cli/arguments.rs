@@ -3,10 +3,13 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
+use super::frame_range::FrameRange;
 use super::picture_options::PictureOptions;
 use super::progress::LogFormat;
+use crate::scene::ExportFormat;
 
 /// Shape from metric: give a surface its edge lengths, get its shape; let the metric change, get the film.
 #[derive(Debug, Parser)]
@@ -92,6 +95,23 @@ pub(super) enum Command {
         #[arg(long)]
         curves: bool,
     },
+    /// Write a computed film as other programs read it
+    Export {
+        /// The folder of the film
+        folder: PathBuf,
+        /// The formats, several separated by commas
+        #[arg(long, value_name = "FORMAT", value_delimiter = ',', required = true, value_parser = export_formats())]
+        format: Vec<ExportFormat>,
+        /// Which frames, as in 1-20,30-240:4 [default: all]
+        #[arg(long, value_name = "RANGE")]
+        frames: Option<FrameRange>,
+        /// Where to [default: DIR/export]
+        #[arg(long, value_name = "FOLDER")]
+        to: Option<PathBuf>,
+        /// Write all files anew
+        #[arg(long)]
+        restart: bool,
+    },
     /// Write a commented scene to start from
     New {
         /// Name of the scene; NAME.toml is written
@@ -113,7 +133,11 @@ impl Command {
     pub fn writes(&self) -> bool {
         matches!(
             self,
-            Command::Run { .. } | Command::Simulate { .. } | Command::Render { .. } | Command::Gallery { .. }
+            Command::Run { .. }
+                | Command::Simulate { .. }
+                | Command::Render { .. }
+                | Command::Gallery { .. }
+                | Command::Export { .. }
         )
     }
 
@@ -123,10 +147,18 @@ impl Command {
             Command::Run { restart, .. }
             | Command::Simulate { restart, .. }
             | Command::Render { restart, .. }
-            | Command::Gallery { restart, .. } => *restart,
+            | Command::Gallery { restart, .. }
+            | Command::Export { restart, .. } => *restart,
             _ => false,
         }
     }
+}
+
+/// Takes the names of formats in scene files.
+fn export_formats() -> impl TypedValueParser<Value = ExportFormat> {
+    let format = |name: String| ExportFormat::ALL.into_iter().find(|(known, _)| *known == name);
+    PossibleValuesParser::new(ExportFormat::ALL.map(|(name, _)| name))
+        .map(move |name| format(name).map_or(ExportFormat::Usd, |(_, format)| format))
 }
 
 #[derive(Args, Debug)]

@@ -10,6 +10,7 @@ use clap::{CommandFactory, Parser};
 use super::arguments::{Arguments, Command, Film, SceneFile};
 use super::check;
 use super::diagnostics::one_line;
+use super::export::{self, Request, export};
 use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
 use super::picture_options::PictureOptions;
@@ -127,7 +128,8 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
             session.log.finish();
             clear_leftovers(&folder, Some(&scene.output), &session.log)?;
-            Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
+            writeln!(out, "{}", sentence("pictures made", summary, &folder))?;
+            export_as_asked(&scene, &folder, *restart, session, out)
         }
         Command::Gallery { scenes, out: folder, work, restart } => {
             gallery(scenes, folder, work, *restart, session, out)
@@ -141,6 +143,11 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)
         }
         Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, session, out),
+        Command::Export { folder, format, frames, to, restart } => {
+            let frames = frames.as_ref();
+            let request = Request { folder, formats: format, frames, to: to.as_ref(), restart: *restart };
+            export(&request, session, out)
+        }
         Command::New { name } => new(name, out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
@@ -189,6 +196,7 @@ fn run(
     write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
+    export_as_asked(&scene, &folder, restart, session, out)?;
     inspection.write_summary(out)?;
     if !inspection.checks.is_empty() {
         writeln!(out)?;
@@ -197,6 +205,19 @@ fn run(
     out.flush()?;
     say_verdict(&inspection, &scene, &session.log);
     all_is_well(&inspection, &session.log)
+}
+
+/// Writes the whole film in the formats that the scene names.
+fn export_as_asked(
+    scene: &Scene,
+    folder: &Path,
+    restart: bool,
+    session: &Session,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let formats = &scene.output.export;
+    let frames: Vec<usize> = (1..=scene.clock.frames).collect();
+    export::write(&Request { folder, formats, frames: None, to: None, restart }, &frames, session, out)
 }
 
 /// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.

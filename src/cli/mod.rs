@@ -8,6 +8,7 @@ mod arguments;
 mod check;
 mod commands;
 mod diagnostics;
+mod export;
 mod failure;
 mod frame_range;
 mod gallery;

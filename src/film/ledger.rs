@@ -1,4 +1,4 @@
-//! Which pictures of a film are made: `.immerse/pictures.jsonl` in its folder.
+//! Which pictures of a film are made, `.immerse/pictures.jsonl` in its folder, and which exports, `.immerse/exports.jsonl` in theirs.
 //!
 //! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum, after a
 //! checksum of the line itself. Lines are appended as files appear, and the last one of a file holds; a line that is not as
@@ -20,6 +20,8 @@ use crate::whole_file;
 #[derive(Debug)]
 pub(super) struct Ledger {
     folder: PathBuf,
+    /// Where it is there.
+    name: &'static str,
     pages: Mutex<Pages>,
 }
 
@@ -72,6 +74,8 @@ impl Line<'_> {
 
 /// Where it is in the folder of a film.
 pub(super) const LEDGER: &str = ".immerse/pictures.jsonl";
+/// Where that of exports is in the folder they are in.
+pub(super) const EXPORTS: &str = ".immerse/exports.jsonl";
 
 impl Ledger {
     /// Of the pictures in a folder; empty if there is none.
@@ -79,7 +83,19 @@ impl Ledger {
     /// # Errors
     /// [`FilmError::Render`] if it is there and cannot be read.
     pub fn open(folder: &Path) -> Result<Ledger, FilmError> {
-        let path = folder.join(LEDGER);
+        Ledger::named(folder, LEDGER)
+    }
+
+    /// Of the exports in a folder.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn of_exports(folder: &Path) -> Result<Ledger, FilmError> {
+        Ledger::named(folder, EXPORTS)
+    }
+
+    fn named(folder: &Path, name: &'static str) -> Result<Ledger, FilmError> {
+        let path = folder.join(name);
         let bytes = match fs::read(&path) {
             Ok(bytes) => bytes,
             Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
@@ -89,7 +105,7 @@ impl Ledger {
         let lines = whole_lines.filter_map(Line::read);
         let entries =
             lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect();
-        Ok(Ledger { folder: folder.to_owned(), pages: Mutex::new(Pages { entries, log: None }) })
+        Ok(Ledger { folder: folder.to_owned(), name, pages: Mutex::new(Pages { entries, log: None }) })
     }
 
     /// The bytes of a file that was made of what has this key, if it is there and whole.
@@ -97,6 +113,17 @@ impl Ledger {
         let entry = self.entry(file).filter(|entry| entry.key == key)?;
         let bytes = fs::read(self.folder.join(file)).ok()?;
         (Key::of_bytes(&bytes) == entry.sha256).then_some(bytes)
+    }
+
+    /// Whether a file was made of what has this key, is there and whole. It may be larger than memory.
+    pub fn is_fresh(&self, file: &str, key: Key) -> bool {
+        let entry = self.entry(file).filter(|entry| entry.key == key);
+        entry.is_some_and(|entry| key_of_file(&self.folder.join(file)).is_ok_and(|found| found == entry.sha256))
+    }
+
+    /// The files that are known, in order.
+    pub fn files(&self) -> Vec<String> {
+        self.pages().entries.keys().cloned().collect()
     }
 
     /// What is known of a file.
@@ -110,8 +137,8 @@ impl Ledger {
     /// [`FilmError::Render`] if the file or the ledger cannot be read or written.
     pub fn enter(&self, file: &str, key: Key, shows: Key) -> Result<(), FilmError> {
         let made = self.folder.join(file);
-        let sha256 = Key::of_bytes(&fs::read(&made).map_err(|error| FilmError::read(&made, error))?);
-        let path = self.folder.join(LEDGER);
+        let sha256 = key_of_file(&made).map_err(|error| FilmError::read(&made, error))?;
+        let path = self.folder.join(self.name);
         let mut pages = self.pages();
         let written = pages.append(&path, &Line { file: file.into(), key, shows, sha256 });
         written.map_err(|error| FilmError::write(&path, error))?;
@@ -124,11 +151,11 @@ impl Ledger {
     /// # Errors
     /// [`FilmError::Render`] if the ledger cannot be written.
     pub fn close(self) -> Result<(), FilmError> {
-        let Ledger { folder, pages } = self;
+        let Ledger { folder, name, pages } = self;
         let Pages { mut entries, log } = pages.into_inner().unwrap_or_else(PoisonError::into_inner);
         drop(log);
         entries.retain(|file, _| folder.join(file).is_file());
-        let path = folder.join(LEDGER);
+        let path = folder.join(name);
         let mut bytes = Vec::new();
         for (file, &Entry { key, shows, sha256 }) in &entries {
             let line = Line { file: file.into(), key, shows, sha256 };
@@ -144,6 +171,10 @@ impl Ledger {
     fn pages(&self) -> std::sync::MutexGuard<'_, Pages> {
         self.pages.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+fn key_of_file(path: &Path) -> io::Result<Key> {
+    Key::of_reader(&mut File::open(path)?)
 }
 
 impl Pages {

@@ -1,18 +1,21 @@
 //! A film on disk, and the pictures that are made of it.
 //!
 //! `disk` keeps the surface, the frames and their reports in a folder. `pictures` makes stills, sheets and posters of them, and
-//! `animation` puts pictures together to moving ones. `ledger` remembers what each picture was made of, so that it is made
+//! `animation` puts pictures together to moving ones, and `export` writes
+//! frames as other programs read them. `ledger` remembers what each picture was made of, so that it is made
 //! again only when that changes. `leftovers` looks for what other films have left in the folder.
 
 mod animation;
 mod disk;
 mod error;
+mod export;
 mod ledger;
 mod leftovers;
 mod pictures;
 
 pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;
+pub use export::{EXPORTER, Exported, export};
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{
     Arrivals, Event, Pictured, Plan, RENDERER, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,

@@ -39,13 +39,15 @@ pub use camera::{Camera, CameraMotion, Extent, View, ViewKey};
 pub use error::{LabelFault, LookElement, RenderError, ViewElement};
 pub use exposure::Exposure;
 pub use layers::Layers;
+pub use lines::self_intersections;
 pub use look::{
     ColorMap, Field, FieldSpread, Light, Lights, Lines, Look, LookName, Matcap, Material, Paint, Pattern, PatternKind,
-    Plane, linear_from_srgb,
+    Plane, linear_from_srgb, srgb_bytes,
 };
 pub use output::Output;
 pub use passage::render;
 pub use picture::Picture;
 pub use scenery::Scenery;
+pub use stage::smooth_normals;
 pub use text::{Anchor, Corner, Legend, Overlay, TextStyle, fill_in, text_width};
 pub use write::{Metadata, Png};

@@ -17,6 +17,9 @@ use crate::mesh::Mesh;
 use crate::scene::Scene;
 use crate::whole_file;
 
+/// The text of the scene, in the folder of its film.
+const SCENE: &str = "scene.toml";
+
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
 #[derive(Serialize, Deserialize)]
 struct FrameRecord {
@@ -142,6 +145,31 @@ impl FilmFolder {
     /// What the film is of.
     pub fn manifest(&self) -> &Manifest {
         &self.manifest
+    }
+
+    /// Keeps the text of the scene beside the film, for its camera, lights and colours.
+    ///
+    /// # Errors
+    /// [`DiskError::Io`]
+    pub fn keep_scene(&self, scene: &Scene) -> Result<(), DiskError> {
+        let text = scene.source.text();
+        if text.is_empty() { Ok(()) } else { write_unless_same(&self.folder.join(SCENE), text.as_bytes()) }
+    }
+
+    /// The scene that was kept; `None` of a film that was made without a text.
+    ///
+    /// # Errors
+    /// [`DiskError::Io`] if it cannot be read, [`DiskError::Damaged`] if it is no scene.
+    pub fn scene(&self) -> Result<Option<Scene>, DiskError> {
+        let path = self.folder.join(SCENE);
+        let Some(bytes) = read(&path)? else { return Ok(None) };
+        let text = String::from_utf8_lossy(&bytes);
+        let scene = Scene::parse(&text, &self.manifest.scene, &self.folder);
+        scene.map(Some).map_err(|_| DiskError::Damaged {
+            path,
+            reason: "it is no scene that this program reads".into(),
+            remedy: "run the scene again, which copies it there",
+        })
     }
 
     /// The surface of the film.

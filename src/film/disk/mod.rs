@@ -31,3 +31,4 @@ pub use folder::FilmFolder;
 pub use lock::FolderLock;
 pub use manifest::{FilmSpec, Manifest, MeshCounts};
 pub use mesh_file::FilmMesh;
+pub(in crate::film) use npz::ArrayWriter;

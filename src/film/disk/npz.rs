@@ -7,7 +7,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 /// A number as NumPy stores it, least significant byte first.
-pub(super) trait Element: Sized {
+pub(in crate::film) trait Element: Sized {
     /// NumPy's name of the type.
     const TYPE: &'static str;
     fn put(self, bytes: &mut Vec<u8>);
@@ -30,6 +30,7 @@ macro_rules! element {
 }
 
 element!(f64, "<f8");
+element!(f32, "<f4");
 element!(u64, "<u8");
 element!(u32, "<u4");
 element!(u8, "|u1");
@@ -49,7 +50,7 @@ fn header<T: Element>(shape: &[u64]) -> Vec<u8> {
 }
 
 /// Arrays on their way into a file.
-pub(super) struct ArrayWriter(ZipWriter<Cursor<Vec<u8>>>);
+pub(in crate::film) struct ArrayWriter(ZipWriter<Cursor<Vec<u8>>>);
 
 impl ArrayWriter {
     pub fn new() -> Self {

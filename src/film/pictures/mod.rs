@@ -17,10 +17,13 @@ mod shoot;
 mod shots;
 mod stills;
 mod subject;
+mod views;
 
 pub use keys::RENDERER;
 pub use passes::{Arrivals, Event, Watch};
+pub(super) use passes::{at_a_time, in_order};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
 pub(super) use stills::SHEET;
 pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};
+pub(super) use views::Views;

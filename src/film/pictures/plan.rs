@@ -12,7 +12,7 @@ use crate::{
 /// What a scene asks of its pictures, validated before anything is computed.
 #[derive(Clone, Debug)]
 pub struct Plan<'a> {
-    pub(super) scene: &'a Scene,
+    pub(in crate::film) scene: &'a Scene,
     /// Without the cut, which depends on what the camera frames.
     pub(super) look: Look,
     pub(super) lights: Lights,

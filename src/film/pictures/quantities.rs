@@ -84,6 +84,11 @@ impl Measures {
         digest.shown(color).shown(along)
     }
 
+    /// The field that is shown as colour.
+    pub fn color(&self) -> Option<FieldName> {
+        self.color
+    }
+
     /// Whether fields are shown, which are measured against the first frame.
     pub fn has_fields(&self) -> bool {
         self.fields.is_some()

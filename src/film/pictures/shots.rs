@@ -131,8 +131,18 @@ impl<'a> Shots<'a> {
         self.subject
     }
 
+    /// What is up.
+    pub fn up(&self) -> DVec3 {
+        self.camera.up()
+    }
+
+    /// The look with the ranges of what it shows.
+    pub fn look(&self) -> &Look {
+        &self.look
+    }
+
     /// The camera when this part of the time between a frame and the next one has passed.
-    fn camera_at(&self, frame: usize, part: f64) -> Camera {
+    pub fn camera_at(&self, frame: usize, part: f64) -> Camera {
         let (clock, frames) = (&self.plan.clock, self.plan.scene.clock.frames);
         let time = clock.time(frame);
         let next = if frame < frames { clock.time(frame + 1) } else { clock.end() };

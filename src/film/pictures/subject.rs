@@ -16,7 +16,7 @@ use crate::{
         disk::{FilmFolder, FilmMesh},
         error::FilmError,
     },
-    immersion::pinch_points,
+    immersion::{FieldName, pinch_points},
     mesh::{EdgeId, FaceId, Mesh},
     render::{Extent, Legend, Look, Plane, Scenery},
 };
@@ -100,6 +100,11 @@ impl Subject {
     /// What pictures show of the surface beside its frames and what is asked of them, for their keys.
     pub fn add_to(&self, digest: Digest) -> Digest {
         self.measures.add_to(digest)
+    }
+
+    /// The field that is shown as colour.
+    pub fn color(&self) -> Option<FieldName> {
+        self.measures.color()
     }
 
     /// Whether fields are shown, which are measured against the first frame.

@@ -4,4 +4,5 @@ mod edges;
 mod intersect;
 mod tubes;
 
+pub use intersect::self_intersections;
 pub use tubes::tubes;

@@ -5,5 +5,6 @@ mod project;
 mod sight;
 mod surface;
 
+pub use normals::smooth_normals;
 pub use project::{Projection, SUBPIXELS, ScreenTriangle};
 pub use surface::Stage;

@@ -1,10 +1,15 @@
 //! Normals of faces and of vertices.
 
-use glam::{DVec3, Vec3A};
+use glam::{DVec3, Vec3, Vec3A};
 use rayon::prelude::*;
 
 /// Faces whose angles are in memory at the same time.
 const FACES_AT_A_TIME: usize = 1 << 18;
+
+/// Unit normals at vertices, |V|: those of the faces around, weighted by their angles.
+pub fn smooth_normals(faces: &[[u32; 3]], positions: &[DVec3]) -> Vec<Vec3> {
+    vertex_normals(faces, &face_normals(faces, positions), positions).into_iter().map(Vec3::from).collect()
+}
 
 /// Unit normals of faces.
 pub fn face_normals(faces: &[[u32; 3]], positions: &[DVec3]) -> Vec<Vec3A> {

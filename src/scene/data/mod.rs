@@ -30,7 +30,9 @@ pub use motion::{
     BendingFrom, BendingRegionSection, BendingSection, MotionSection, PinSection, SpinSection, StartFrom, StartSection,
 };
 pub use phase::{LikeDefault, PhaseSection, RelaxationSection};
-pub use picture::{AnimationFormat, CameraKeySection, CameraSection, Framed, LightSection, OutputSection};
+pub use picture::{
+    AnimationFormat, CameraKeySection, CameraSection, ExportFormat, Framed, LightSection, OutputSection,
+};
 pub use time::{ClockSection, NumberSection};
 
 /// A whole scene.

@@ -107,6 +107,48 @@ pub struct OutputSection {
     pub sheet: usize,
     /// Fields of which every EXR picture has a layer.
     pub fields: Vec<FieldName>,
+    /// Formats in which the film is written for other programs.
+    pub export: Vec<ExportFormat>,
+}
+
+/// What a film can be exported as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum ExportFormat {
+    /// Universal Scene Description: the film with its camera and lights, in one text file.
+    Usd,
+    /// For ParaView: a `.vtu` of each frame and the `.pvd` that lists them.
+    Vtk,
+    /// glTF 2.0, binary: one file with morph targets, for browsers.
+    Gltf,
+    /// A point cache and the OBJ file that it moves.
+    Pc2,
+    /// A PLY file of each frame, with colours and fields.
+    Ply,
+    /// An OBJ file of each frame.
+    Obj,
+    /// FOLD 1.2: edge lengths and fold angles, all frames in one file.
+    Fold,
+    /// Arrays of NumPy of each frame, with all fields.
+    Npz,
+}
+
+impl ExportFormat {
+    /// All of them by their names.
+    pub const ALL: [(&'static str, ExportFormat); 8] = [
+        ("usd", ExportFormat::Usd),
+        ("vtk", ExportFormat::Vtk),
+        ("gltf", ExportFormat::Gltf),
+        ("pc2", ExportFormat::Pc2),
+        ("ply", ExportFormat::Ply),
+        ("obj", ExportFormat::Obj),
+        ("fold", ExportFormat::Fold),
+        ("npz", ExportFormat::Npz),
+    ];
+
+    /// Its name, as in `usd`.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, format)| *format == self).map_or("", |(name, _)| name)
+    }
 }
 
 /// Files that show a whole film.
@@ -144,6 +186,7 @@ impl Default for OutputSection {
             frame_rate: 24.0,
             sheet: 0,
             fields: Vec::new(),
+            export: Vec::new(),
         }
     }
 }

@@ -1,6 +1,8 @@
 //! `[camera]`, `[[light]]` and `[output]`.
 
-use crate::scene::data::{AnimationFormat, CameraKeySection, CameraSection, Framed, LightSection, OutputSection};
+use crate::scene::data::{
+    AnimationFormat, CameraKeySection, CameraSection, ExportFormat, Framed, LightSection, OutputSection,
+};
 use crate::scene::keys::Table;
 use crate::scene::keys::ease;
 use crate::{
@@ -133,5 +135,11 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
             .or(default.frame_rate),
         sheet: table.key("sheet", "Frames on a contact sheet of the film; 0 makes none.").at_most(400.0).or(0),
         fields: table.choices("fields", "Fields of which EXR pictures have a layer.", &FieldName::ALL, &[]),
+        export: table.choices(
+            "export",
+            "Formats in which the film is written for other programs.",
+            &ExportFormat::ALL,
+            &[],
+        ),
     }
 }

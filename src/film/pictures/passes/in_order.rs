@@ -11,7 +11,7 @@ use rayon::prelude::*;
 ///
 /// # Errors
 /// The first error in order. What has been made nevertheless is still handed on, and nothing else is made.
-pub(in crate::film::pictures) fn in_order<P: Sync, T: Send, E: Send>(
+pub(in crate::film) fn in_order<P: Sync, T: Send, E: Send>(
     count: usize,
     at_a_time: usize,
     mut prepare: impl FnMut(Range<usize>) -> Result<P, E>,

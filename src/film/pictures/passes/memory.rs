@@ -8,7 +8,7 @@ const MEMORY: usize = 1 << 30;
 
 /// How many things of so many bytes are made at a time: enough to keep all threads busy, and no more than memory has
 /// room for.
-pub(in crate::film::pictures) fn at_a_time(bytes: usize) -> usize {
+pub(in crate::film) fn at_a_time(bytes: usize) -> usize {
     (MEMORY / bytes.max(1)).clamp(1, 2 * rayon::current_num_threads())
 }
 

@@ -9,7 +9,8 @@ mod survey;
 
 pub use arrivals::Arrivals;
 pub use event::{Event, Watch};
-pub(super) use in_order::in_order;
-pub(super) use memory::{at_a_time, picture_bytes};
+pub(in crate::film) use in_order::in_order;
+pub(in crate::film) use memory::at_a_time;
+pub(super) use memory::picture_bytes;
 pub(super) use reel::{Frames, Reel};
 pub(super) use survey::{Survey, metadata, survey};

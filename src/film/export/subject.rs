@@ -1,0 +1,203 @@
+//! What is exported: the surface, and its frames one by one.
+
+use std::sync::Arc;
+
+use glam::{DVec3, Vec3};
+
+use super::camera::CameraPath;
+use super::colors::Colors;
+use super::format::Wants;
+use crate::evolve::Frame;
+use crate::film::disk::{FilmFolder, FilmMesh};
+use crate::film::error::FilmError;
+use crate::immersion::{FieldInput, FieldName, FieldValues, Fields, bending_angles};
+use crate::mesh::{EdgeId, Mesh};
+use crate::metric::Metric;
+use crate::render::{self_intersections, smooth_normals};
+
+/// What is the same in all frames.
+pub(super) struct Subject {
+    /// "immerse 0.1.0: hare"
+    pub made_by: String,
+    pub name: String,
+    pub mesh: Arc<Mesh>,
+    pub vertices: usize,
+    /// Corners of each face, counterclockwise seen from the front.
+    pub triangles: Vec<[u32; 3]>,
+    /// The ends of each edge.
+    pub edges: Vec<[u32; 2]>,
+    /// Faces of each connected component.
+    pub components: Vec<Vec<u32>>,
+    /// Vertices along each loop of the boundary.
+    pub boundary: Vec<Vec<u32>>,
+    pub pins: Vec<u32>,
+    /// The numbers of the frames that are exported, in order.
+    pub frames: Vec<usize>,
+    /// Where the vertices of the first of them are, |V|.
+    pub first: Vec<DVec3>,
+    /// Frames a second.
+    pub frame_rate: f64,
+    /// Length of the diagonal of what is seen, by which widths of lines are measured.
+    pub size: f64,
+    pub camera: CameraPath,
+    pub colors: Colors,
+    fields: Fields,
+    wants: Wants,
+}
+
+/// A frame, with what is wanted of it.
+pub(super) struct Moment {
+    pub number: usize,
+    pub time: f64,
+    /// |V|
+    pub positions: Vec<DVec3>,
+    /// Unit normals of the front, |V|.
+    pub normals: Vec<Vec3>,
+    /// In the order of [`FieldName::ALL`].
+    pub fields: Vec<(FieldName, FieldValues)>,
+    /// Linear light of the front.
+    pub colors: Option<FieldColors>,
+    /// Lengths that are asked for, |E|.
+    pub edge_lengths: Vec<f64>,
+    /// Angles between the normals of neighbouring faces in radians, positive where the edge is convex, |E|.
+    pub bending_angles: Vec<f64>,
+    pub rims: Vec<[u32; 2]>,
+    /// Segments in which the surface passes through itself.
+    pub crossings: Vec<[DVec3; 2]>,
+}
+
+/// Colours of faces or vertices.
+pub(super) struct FieldColors {
+    pub per_face: bool,
+    pub colors: Vec<Vec3>,
+}
+
+impl Subject {
+    /// Of a film, some of whose frames are exported.
+    pub fn of(
+        film: &FilmFolder,
+        name: &str,
+        frames: &[usize],
+        frame_rate: f64,
+        camera: CameraPath,
+        colors: Colors,
+        wants: Wants,
+    ) -> Result<Subject, FilmError> {
+        let FilmMesh { mesh, pins, .. } = film.mesh()?;
+        let first = film.read_frame(1)?;
+        let fields = Fields::new(mesh.clone(), metric(&mesh, &first)?, first.report.stiffness);
+        let size = size_of(&first.positions);
+        let boundary = mesh.boundary_loops();
+        let first_positions = match frames.first() {
+            Some(&frame) if frame != 1 => film.read_frame(frame)?.positions,
+            _ => first.positions,
+        };
+        Ok(Subject {
+            made_by: format!("immerse {}: {name}", env!("CARGO_PKG_VERSION")),
+            name: name.to_owned(),
+            vertices: mesh.vertex_count(),
+            triangles: mesh.triangles(),
+            edges: mesh.edges().map(|e| ends(&mesh, e)).collect(),
+            components: mesh.components().into_iter().map(|c| c.into_iter().map(|f| f.0).collect()).collect(),
+            boundary: boundary.iter().map(|cycle| cycle.iter().map(|&h| mesh.tail(h).0).collect()).collect(),
+            pins: pins.into_iter().map(|v| v.0).collect(),
+            frames: frames.to_vec(),
+            frame_rate,
+            first: first_positions,
+            size,
+            camera,
+            colors,
+            fields,
+            wants,
+            mesh,
+        })
+    }
+
+    /// What is wanted of a frame.
+    pub fn moment(&self, frame: &Frame) -> Result<Moment, FilmError> {
+        let Subject { mesh, wants, triangles, .. } = self;
+        let metric = metric(mesh, frame)?;
+        let input =
+            FieldInput { metric: &metric, positions: &frame.positions, frames: &frame.face_frames, spin: &frame.spin };
+        let value = |name| {
+            let values =
+                self.fields.of(name, &input).map_err(|error| FilmError::Field { reason: error.to_string() })?;
+            Ok::<_, FilmError>((name, values))
+        };
+        let fields = match wants.fields {
+            true => FieldName::ALL.map(|(_, name)| name).into_iter().map(value).collect::<Result<_, _>>()?,
+            false => Vec::new(),
+        };
+        let colors = match self.colors.field().filter(|_| wants.colors) {
+            Some(name) => Some(self.colors.of(&value(name)?.1)),
+            None => None,
+        };
+        let crossings = match wants.crossings {
+            true => self_intersections(triangles, &frame.positions).into_iter().map(|c| c.ends).collect(),
+            false => Vec::new(),
+        };
+        Ok(Moment {
+            number: frame.report.frame,
+            time: frame.report.time,
+            positions: frame.positions.clone(),
+            normals: if wants.normals { smooth_normals(triangles, &frame.positions) } else { Vec::new() },
+            fields,
+            colors,
+            edge_lengths: frame.edge_lengths.clone(),
+            bending_angles: if wants.angles { bending_angles(mesh, &frame.positions) } else { Vec::new() },
+            rims: frame.rims.iter().map(|&e| ends(mesh, e)).collect(),
+            crossings,
+        })
+    }
+}
+
+impl Subject {
+    /// Whether a field has a value for each face ("uniform") or each vertex, as USD says.
+    pub fn interpolation(&self, field: FieldName) -> &'static str {
+        if is_of_faces(field) { "uniform" } else { "vertex" }
+    }
+
+    /// The same of colours; `None` if the surface has one.
+    pub fn color_interpolation(&self) -> Option<&'static str> {
+        self.colors.field().map(|field| self.interpolation(field))
+    }
+}
+
+/// What [`Fields::of`] gives of it.
+fn is_of_faces(field: FieldName) -> bool {
+    use FieldName::{BendingAngle, EnergyDensity, Generators, LengthError};
+    matches!(field, LengthError | EnergyDensity | BendingAngle | Generators)
+}
+
+fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
+    mesh.edge_vertices(e).map(|v| v.0)
+}
+
+fn metric(mesh: &Mesh, frame: &Frame) -> Result<Metric, FilmError> {
+    Metric::new(mesh, frame.edge_lengths.clone()).map_err(|error| FilmError::Field { reason: error.to_string() })
+}
+
+/// The diagonal of the box around points.
+fn size_of(points: &[DVec3]) -> f64 {
+    let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+    let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
+    if points.is_empty() { 1.0 } else { low.distance(high).max(f64::MIN_POSITIVE) }
+}
+
+/// Vertices and faces, or what else has one value each.
+pub(super) fn is_per_face(values: &FieldValues) -> bool {
+    matches!(values, FieldValues::PerFace(_))
+}
+
+/// What the values of a field are, for people.
+pub(super) fn unit_in_words(field: FieldName) -> &'static str {
+    match field {
+        FieldName::LengthError => "relative length error, root mean square over the edges of a face, as a ratio",
+        FieldName::GaussianCurvature => "Gaussian curvature of the metric that was asked for, 1 / length squared",
+        FieldName::MeanCurvature => "mean curvature of the surface, 1 / length",
+        FieldName::ConformalFactor => "logarithm of the scale of the metric against the first frame",
+        FieldName::EnergyDensity => "energy of the frames over area, 1 / length squared",
+        FieldName::BendingAngle => "angle to neighbouring faces, root mean square, degrees",
+        FieldName::Generators => "number from 1 of the strip through the face, or 0",
+    }
+}
