@@ -26,6 +26,9 @@ pub(super) struct Subject {
     pub triangles: Vec<[u32; 3]>,
     /// The ends of each edge.
     pub edges: Vec<[u32; 2]>,
+    /// What the mesh file calls vertices and faces, from 0.
+    pub file_vertices: Vec<u32>,
+    pub file_faces: Vec<u32>,
     /// Faces of each connected component.
     pub components: Vec<Vec<u32>>,
     /// Vertices along each loop of the boundary.
@@ -98,6 +101,8 @@ impl Subject {
             vertices: mesh.vertex_count(),
             triangles: mesh.triangles(),
             edges: mesh.edges().map(|e| ends(&mesh, e)).collect(),
+            file_vertices: film.file_vertices()?,
+            file_faces: film.file_faces()?,
             components: mesh.components().into_iter().map(|c| c.into_iter().map(|f| f.0).collect()).collect(),
             boundary: boundary.iter().map(|cycle| cycle.iter().map(|&h| mesh.tail(h).0).collect()).collect(),
             pins: pins.into_iter().map(|v| v.0).collect(),

@@ -44,14 +44,14 @@ impl Layout for Vtk<'_> {
         for (name, marks) in marks {
             of_points += &arrays.add(name, 1, "UInt8", marks, u8::to_le_bytes);
         }
-        let file_vertex = subject.mesh.file_vertices().into_iter().map(i64::from);
+        let file_vertex = subject.file_vertices.iter().map(|&v| i64::from(v));
         of_points += &arrays.add("file_vertex", 1, "Int64", file_vertex, i64::to_le_bytes);
         let mut component = vec![0_i32; faces];
         for (number, of) in (1..).zip(&subject.components) {
             of.iter().for_each(|&f| component[f as usize] = number);
         }
         let mut of_cells = arrays.add("component", 1, "Int32", component, i32::to_le_bytes);
-        let file_face = subject.mesh.file_faces().into_iter().map(i64::from);
+        let file_face = subject.file_faces.iter().map(|&f| i64::from(f));
         of_cells += &arrays.add("file_face", 1, "Int64", file_face, i64::to_le_bytes);
         for (name, values) in &moment.fields {
             let of = if is_per_face(values) { &mut of_cells } else { &mut of_points };
