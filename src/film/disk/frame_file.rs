@@ -3,7 +3,7 @@
 use std::io;
 
 use super::manifest::{FORMAT, MeshCounts};
-use super::npz::{ArrayReader, ArrayWriter};
+use crate::npy::{ArrayReader, ArrayWriter};
 use crate::algebra::Complex;
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::EdgeId;
