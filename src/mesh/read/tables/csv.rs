@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::header::Columns;
 use super::table::Table;
 use crate::mesh::read::problem::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
@@ -9,8 +10,9 @@ use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 /// Reads one length per edge, in edge order, from lines `u,v,length`.
 ///
 /// `u` and `v` are vertices by their numbers in the mesh file, counted from 0, in any order; of a welded vertex any of its
-/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, `#`
-/// starts a comment; columns may also be separated by `;` (then a decimal comma is understood), tabs or blanks.
+/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, which
+/// says the order of columns, `u,v,length` by these or other usual names; what else it names is left out. `#` starts a
+/// comment; columns may also be separated by `;` (then a decimal comma is understood), tabs or blanks.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no edge, contradicts an earlier one or
@@ -23,7 +25,7 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
     let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (sorted(mesh.edge_vertices(e)), e)).collect();
     edges.sort_unstable();
     let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
-    Table::decode(bytes, "write lines `u,v,length`")?.rows(|marks, row| {
+    Table::decode(bytes, "write lines `u,v,length`")?.rows(&Columns::Edges, |marks, row| {
         let line = row.line;
         let u = row.index(0, "vertex u")?;
         let v = row.index(1, "vertex v")?;
@@ -76,7 +78,7 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
 /// Reads numbers of some vertices, in order of vertices, from lines `v,number`.
 ///
 /// `v` is the number of the vertex in the mesh file, counted from 0; no vertex is given twice, but a welded one by several of
-/// its numbers if they agree. Lines are as in [`read_edge_lengths`].
+/// its numbers if they agree. Lines are as in [`read_edge_lengths`]; a header names `v` and `degrees`.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no vertex or one that was named before;
@@ -87,7 +89,7 @@ pub fn read_vertex_numbers(path: &Path, mesh: &Mesh) -> Result<Vec<(VertexId, f6
 
 fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)>, Problem> {
     let mut given: Vec<Option<(f64, usize, u32)>> = vec![None; mesh.vertex_count()];
-    Table::decode(bytes, "write lines `v,number`")?.rows(|marks, row| {
+    Table::decode(bytes, "write lines `v,number`")?.rows(&Columns::Vertices, |marks, row| {
         let line = row.line;
         let number = row.index(0, "the vertex")?;
         let value = row.number(1, "the number", marks)?;
