@@ -50,6 +50,14 @@ impl TargetBending {
         TargetBending { angles, amount, regions: Vec::new(), is_asked }
     }
 
+    /// So much of given angles (|E|, in radians); where there is none it is flat at rest, and no angle is asked for. Those of
+    /// boundary edges mean nothing.
+    pub fn of_angles(mesh: &Mesh, angles: Vec<Option<f64>>, amount: Number) -> TargetBending {
+        let is_asked = mesh.edges().map(|e| angles[e.index()].is_some() && !mesh.is_boundary_edge(e)).collect();
+        let angles = angles.into_iter().map(|angle| angle.unwrap_or(0.0)).collect();
+        TargetBending { angles, amount, regions: Vec::new(), is_asked }
+    }
+
     /// Flat at rest; no angle is asked for yet.
     pub fn flat(mesh: &Mesh) -> TargetBending {
         let amount = Number::Constant(1.0);

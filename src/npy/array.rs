@@ -55,7 +55,8 @@ impl Array {
         let size = kind.size();
         let wanted = shape.iter().try_fold(size, |bytes, side| bytes.checked_mul(*side));
         if wanted != Some(entries.len()) {
-            let reason = format!("its shape {shape:?} of {size} bytes each does not fit the {} that follow", entries.len());
+            let reason =
+                format!("its shape {shape:?} of {size} bytes each does not fit the {} that follow", entries.len());
             return Err(Fault::new(reason, "save the array again; part of it may be missing"));
         }
         let order = |entry: &[u8]| {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::npy::{ArrayReader, ArrayWriter};
 use crate::mesh::{Mesh, VertexId};
+use crate::npy::{ArrayReader, ArrayWriter};
 
 /// The surface of a film, and all that pictures want to know of it, so that nobody asks the scene again.
 #[derive(Clone, Debug)]

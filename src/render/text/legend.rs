@@ -11,7 +11,10 @@ use super::{
 };
 use crate::{
     immersion::FieldName,
-    render::{ColorMap, look::{Wording, wording}},
+    render::{
+        ColorMap,
+        look::{Wording, wording},
+    },
 };
 
 /// A bar of colours with numbers, or, for the categorical map, a patch for each number.

@@ -1,11 +1,22 @@
 //! `[metric]` as edge lengths over time.
 
+use std::path::Path;
 use std::sync::Arc;
 
-use crate::mesh::{Surface, read_edge_lengths, read_positions, read_vertex_numbers, select_vertices};
+use crate::mesh::{
+    Mesh, MeshError, Surface, read_edge_lengths, read_lengths, read_positions, read_vertex_numbers, select_vertices,
+};
 use crate::metric::{Change, Lengths, MetricError, MetricProgram, Region, RicciTarget, lengths_of_positions};
 use crate::scene::{ChangeKind, LengthSource, MetricChangeSection, RicciSection, Scene, SceneError};
 use crate::timeline::{Keyframes, Parameters};
+
+/// The lengths that a file decrees, or those of its positions.
+fn lengths_of_file(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError> {
+    match read_lengths(path, mesh)? {
+        Some(lengths) => Ok(lengths),
+        None => Ok(lengths_of_positions(mesh, &read_positions(path, mesh)?)),
+    }
+}
 
 impl Scene {
     pub(super) fn metric_program(
@@ -46,8 +57,8 @@ impl Scene {
             LengthSource::Csv(path) => read_edge_lengths(&self.resolve(path), mesh)
                 .map(Lengths::fixed)
                 .map_err(|error| self.complain_about(&format!("{key}.csv"), &error)),
-            LengthSource::File(path) => read_positions(&self.resolve(path), mesh)
-                .map(|positions| Lengths::fixed(lengths_of_positions(mesh, &positions)))
+            LengthSource::File(path) => lengths_of_file(&self.resolve(path), mesh)
+                .map(Lengths::fixed)
                 .map_err(|error| self.complain_about(&format!("{key}.file"), &error)),
             LengthSource::Positions(texts) => {
                 let key = format!("{key}.positions");

@@ -124,8 +124,7 @@ fn shown_field(table: &mut Table) -> ColorSection {
         ("cyclic", ColorMap::Cyclic),
         ("categorical", ColorMap::Categorical),
     ];
-    let range: Option<[f64; 2]> =
-        table.key("range", RANGE_DOC).optional([0.0, 0.01]);
+    let range: Option<[f64; 2]> = table.key("range", RANGE_DOC).optional([0.0, 0.01]);
     if let Some([low, high]) = range
         && low >= high
     {

@@ -344,7 +344,7 @@ fn headers_say_which_column_is_which() {
         (table("u,v,length", |u, v, l| format!("{},{},{l}", u + 1, v + 1)), &["a.csv:4:", "count from 0"]),
         (table("u,v,length", |u, v, _| format!("{u},{v},nan")), &["a.csv:2:", "`nan` is not finite"]),
         (table("u,v,length", |u, v, _| format!("{u},{v}")), &["a.csv:2:", "the length is missing"]),
-        (table("length,u,v", |u, v, l| format!("{l},{u},")  + &v.to_string()[..0]), &["a.csv:2:", "v is missing"]),
+        (table("length,u,v", |u, v, l| format!("{l},{u},") + &v.to_string()[..0]), &["a.csv:2:", "v is missing"]),
         (table("u,v,length", plain) + "1,0,5\n", &["a.csv:8:", "edge 1,0 has length 5 here and 3 on line 2"]),
         (table("u,v,length\nu,v,length", plain), &["a.csv:2:", "vertex u `u`"]),
     ] {

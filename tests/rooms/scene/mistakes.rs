@@ -111,7 +111,7 @@ fn impossible_values() {
     one("[mesh]\nshape = 'annulus'\ninner_radius = ^3", "not less than `outer_radius`, which is 1", "between 0 and 1");
     one("[mesh]\nshape = 'torus'\nminor_radius = ^1", "not less than `major_radius`, which is 1", "between 0 and 1");
     one("[mesh]\nshape = 'flat_torus'\na = [1, 2]\nb = ^[2, 4]", "parallel", "a = [3, 0] and b = [0, 2.5]");
-    one("[mesh]\nfile = ^'a.blend'", "ends in `.blend`", "the endings are `obj`, `ply`, `off` and `stl`");
+    one("[mesh]\nfile = ^'a.blend'", "ends in `.blend`", "the endings are `obj`, `ply`, `off`, `stl`, `fold`, `npz` and `npy`");
     one("[spin]\nclass = ^'0a'", "one digit 0 or 1 per generator", "\"immersion\"");
     one("[checks]\nclass = ^'immersion'", "one digit 0 or 1 per generator", "class = \"01\"");
     one("[camera]\nup = ^[0, 0, 0]", "`up` is the zero vector", "up = [0, 1, 0]");

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::header::Columns;
 use super::table::Table;
+use crate::mesh::read::edges::EdgeFinder;
 use crate::mesh::read::problem::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 
@@ -22,9 +23,8 @@ pub fn read_edge_lengths(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError
 }
 
 fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
-    let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (sorted(mesh.edge_vertices(e)), e)).collect();
-    edges.sort_unstable();
-    let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
+    let finder = EdgeFinder::new(mesh);
+    let mut given: Vec<Option<(f64, usize)>> = vec![None; mesh.edge_count()];
     Table::decode(bytes, "write lines `u,v,length`")?.rows(&Columns::Edges, |marks, row| {
         let line = row.line;
         let u = row.index(0, "vertex u")?;
@@ -50,9 +50,8 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
         if [u, v].iter().any(|&end| end as usize >= mesh.file_vertex_count()) {
             return Err(no_edge());
         }
-        let ends = sorted([vertex(u, line, mesh)?, vertex(v, line, mesh)?]);
-        let found = edges.binary_search_by_key(&ends, |edge| edge.0).map_err(|_| no_edge())?;
-        match &mut given[edges[found].1.index()] {
+        let edge = finder.between([vertex(u, line, mesh)?, vertex(v, line, mesh)?]).ok_or_else(no_edge)?;
+        match &mut given[edge.index()] {
             Some((earlier, first)) if *earlier != length => {
                 return Err(Problem::at(
                     line,
@@ -118,10 +117,6 @@ fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)
         return Err(Problem::new("it has no lines", "write lines `v,number`"));
     }
     Ok(numbers)
-}
-
-fn sorted([u, v]: [VertexId; 2]) -> [VertexId; 2] {
-    [u.min(v), u.max(v)]
 }
 
 /// The vertex that has a number in the file.

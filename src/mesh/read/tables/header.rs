@@ -51,8 +51,7 @@ impl Columns {
         };
         let places = match self {
             Columns::Edges => {
-                let pairs: Vec<[usize; 2]> =
-                    ENDS.iter().filter_map(|[a, b]| Some([place(a)?, place(b)?])).collect();
+                let pairs: Vec<[usize; 2]> = ENDS.iter().filter_map(|[a, b]| Some([place(a)?, place(b)?])).collect();
                 match (&*pairs, any_of(&LENGTHS)) {
                     (&[[a, b]], Some(length)) => Some(vec![a, b, length]),
                     _ => None,
