@@ -1,6 +1,6 @@
 //! `[metric]` as edge lengths over time.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::mesh::{
@@ -25,7 +25,15 @@ impl Scene {
         parameters: &Arc<Parameters>,
     ) -> Result<MetricProgram, SceneError> {
         let section = &self.metric;
-        let mut program = if section.keys.is_empty() {
+        let mut program = if let Some(files) = &section.files {
+            let (times, paths) = self.keyframe_files("metric", files, &surface.mesh)?;
+            let fault = |error: MeshError| self.complain_about("metric.files", &error);
+            let lengths = |path: &PathBuf| lengths_of_file(path, &surface.mesh).map(Lengths::fixed).map_err(fault);
+            let values = paths.iter().map(lengths).collect::<Result<_, _>>()?;
+            let keys = Keyframes::new(times, values, section.ease, section.extrapolation);
+            let keys = keys.map_err(|error| self.complain_about("metric.files", &error))?;
+            MetricProgram::new(keys, section.interpolation)
+        } else if section.keys.is_empty() {
             MetricProgram::of(self.lengths("metric", &section.lengths, surface, parameters)?)
         } else {
             let (mut times, mut values) = (Vec::new(), Vec::new());
