@@ -148,3 +148,69 @@ fn the_page_on_files_says_what_is_in_them() {
     let said = run_python(folder.path(), &format!("PAGE = r'{}'\n{ARRAYS}", page.display()));
     assert!(number_after(&said, "listed") > 10.0);
 }
+
+/// Faces and lengths go in, positions come out that have these lengths.
+#[test]
+fn the_example_of_nothing_but_lengths_finds_the_cone() {
+    if !has_numpy("the purely intrinsic example was not run") {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let page = blocks("docs/files.md");
+    let example = page.iter().find(|block| block.contains("halfedge_lengths=lengths")).expect("an example");
+    let said = run_python(folder.path(), example);
+    let error = number_after(&said, "L2 length error");
+    assert!(error < 1e-3, "{error}");
+    // Its rings are circles as large as the cone says: 300 degrees of a disk.
+    let circle = "import numpy\nframe = numpy.load('renders/cone/frames/000001.npz')\n\
+        rim = frame['positions'][-30:]\n\
+        size = numpy.linalg.norm(rim - rim.mean(axis=0), axis=1)\nprint('radius', size.mean(), 'spread', size.std())\n";
+    let said = run_python(folder.path(), circle);
+    let (radius, spread) = (number_after(&said, "radius"), number_after(&said, "spread"));
+    assert!((radius - 300.0 / 360.0).abs() < 0.01 && spread < 0.02, "{said}");
+}
+
+/// Whatever NumPy writes of the same arrays is the same film, and a film is gone on with from its own arrays.
+#[test]
+fn arrays_that_numpy_writes_are_read_as_they_are() {
+    if !has_numpy("arrays that NumPy writes were not read") {
+        return;
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let write = r#"
+import numpy
+F = numpy.array([[0,2,4],[2,1,4],[1,3,4],[3,0,4],[2,0,5],[1,2,5],[3,1,5],[0,3,5]])
+V = numpy.array([[1,0,0],[-1,0,0],[0,1.25,0],[0,-1.25,0],[0,0,1.5],[0,0,-1.5]])
+u, v = F, numpy.roll(F, -1, axis=1)
+H = numpy.linalg.norm(V[u] - V[v], axis=2)
+numpy.savez("a.npz", faces=F, positions=V)
+numpy.savez_compressed("b.npz", F=numpy.asfortranarray(F.astype(">i2")), V=numpy.asfortranarray(V.astype(">f4")))
+numpy.savez("c.npz", triangles=F.astype("u1"), halfedge_lengths=H)
+rows = numpy.stack([u, v, H], axis=2).reshape(-1, 3)
+numpy.savez_compressed("d.npz", faces=F.astype(numpy.uint64), edge_lengths=rows[rows[:, 0] < rows[:, 1]].astype("f4"))
+numpy.savez("e.npz", faces=F, lengths=H, normals=V)
+"#;
+    run_python(folder.path(), write);
+    for name in ["a", "b", "c", "d", "e"] {
+        let scene = format!("[mesh]\nfile = '{name}.npz'\n[[phase]]\nlike = 'default'\nmax_steps = 5\n");
+        fs::write(folder.path().join(format!("{name}.toml")), scene).expect("a scene");
+        immerse(folder.path(), &["simulate", &format!("{name}.toml")]);
+    }
+    let on = "[mesh]\nfile = 'renders/a/mesh.npz'\n[metric]\nfile = 'changed.npz'\n\
+        [start]\nfile = 'renders/a/frames/000001.npz'\n[[phase]]\nlike = 'default'\nmax_steps = 5\n";
+    fs::write(folder.path().join("on.toml"), on).expect("a scene");
+    let change = "import numpy\nframe = dict(numpy.load('renders/a/frames/000001.npz'))\n\
+        frame['edge_lengths'] *= 1.25\nnumpy.savez('changed.npz', **frame)\n";
+    run_python(folder.path(), change);
+    immerse(folder.path(), &["simulate", "on.toml"]);
+    let compare = r#"
+import numpy
+load = lambda name: numpy.load(f"renders/{name}/frames/000001.npz")["edge_lengths"]
+for name in "bcde":
+    assert numpy.array_equal(numpy.load("renders/a/mesh.npz")["edges"], numpy.load(f"renders/{name}/mesh.npz")["edges"])
+    assert numpy.allclose(load(name), load("a"), rtol=1e-6), name
+assert numpy.array_equal(load("on"), 1.25 * load("a"))
+print("the same")
+"#;
+    assert!(run_python(folder.path(), compare).contains("the same"));
+}

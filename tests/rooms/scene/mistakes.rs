@@ -205,7 +205,11 @@ fn what_changes_with_time() {
     one(both, "both `curvature` and `region`", "remove one of them");
     let lengths = "[metric]\nlength = 1\nkey = ^[{ time = 0 }]";
     one(lengths, "[metric] has both lengths and [[metric.key]]", "put the lengths into a [[metric.key]]");
-    one("[metric]\nease = ^'in'", "`ease` is about [[metric.key]] or `files`, and there is none", "remove it, or add keys");
+    one(
+        "[metric]\nease = ^'in'",
+        "`ease` is about [[metric.key]] or `files`, and there is none",
+        "remove it, or add keys",
+    );
     one("[metric]\ninterpolation = ^'squared'", "`interpolation` is about [[metric.key]]", "remove it, or add keys");
     one(
         "[start]\nformula = ^['x', 'y', 'z']",
