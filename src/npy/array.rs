@@ -106,17 +106,20 @@ fn transposed<T: Copy>(numbers: &[T], rows: usize, columns: usize) -> Vec<T> {
 /// The arrays of an `.npz` file.
 pub(crate) struct Archive<'b> {
     zip: ZipArchive<Cursor<&'b [u8]>>,
-    /// So many bytes the file has: unpacked, no array has more than a thousand times as many.
-    size: u64,
+    /// The most bytes that an array of it may have.
+    most: u64,
 }
 
-/// What deflate makes of zeros, and a little more. What claims to be larger is no array.
-const PACKED: u64 = 1100;
+/// What is packed into less than a hundredth of its bytes is hardly a mesh, and would cost memory that nobody had to send. A
+/// little may be packed as well as it likes: lengths that are all the same are.
+const PACKED: u64 = 100;
+const LITTLE: u64 = 4 << 20;
 
 impl<'b> Archive<'b> {
     pub fn new(bytes: &'b [u8]) -> Result<Archive<'b>, Fault> {
         let broken = |error| Fault::new(format!("it is no npz archive ({error})"), "write it with numpy.savez");
-        Ok(Archive { zip: ZipArchive::new(Cursor::new(bytes)).map_err(broken)?, size: bytes.len() as u64 })
+        let most = (bytes.len() as u64).saturating_mul(PACKED).max(LITTLE);
+        Ok(Archive { zip: ZipArchive::new(Cursor::new(bytes)).map_err(broken)?, most })
     }
 
     /// The names of all arrays.
@@ -131,12 +134,12 @@ impl<'b> Archive<'b> {
             |error: String| in_array(Fault::new(error, "write the file with numpy.savez or numpy.savez_compressed"));
         let Some(index) = self.zip.index_for_name(&format!("{name}.npy")) else { return Ok(None) };
         let file = self.zip.by_index(index).map_err(|error| unreadable(error.to_string()))?;
-        let most = self.size.saturating_mul(PACKED);
-        if file.size() > most {
-            return Err(unreadable(format!("it claims {} bytes, the whole file has {}", file.size(), self.size)));
+        if file.size() > self.most {
+            let reason = format!("it would take {} bytes, {} are the limit for this file", file.size(), self.most);
+            return Err(in_array(Fault::new(reason, "write it with numpy.savez, which does not pack")));
         }
         let mut bytes = Vec::new();
-        file.take(most).read_to_end(&mut bytes).map_err(|error| unreadable(error.to_string()))?;
+        file.take(self.most).read_to_end(&mut bytes).map_err(|error| unreadable(error.to_string()))?;
         Array::parse(&bytes).map(Some).map_err(in_array)
     }
 }

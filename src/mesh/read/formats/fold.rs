@@ -193,6 +193,9 @@ impl Frame {
                     return Err(Problem::new(reason, "correct `edges_foldAngle` or `edges_assignment`"));
                 }
             }
+            if values.iter().flatten().any(|degrees| *degrees != 0.0) {
+                soup.notes.push("its fold angles are targets where [bending] has from = \"mesh\"".to_owned());
+            }
             // Between the normals of its faces a valley closes; here positive is as on a sphere, whose normals point apart.
             let values = values.into_iter().map(|value| value.map(|degrees| -degrees.to_radians())).collect();
             soup.angles = Some(EdgeNumbers { what: "fold angle", listed: Listed::Edges, ends: edges, values });
