@@ -202,8 +202,18 @@ fn meshes() {
         ("zip", "mesh.ply", b"PK\x03\x04\x14\0".to_vec(), &["a zip archive"]),
         ("zeros", "mesh.obj", vec![0; 1 << 20], &["mesh.obj"]),
         ("an array of 2^60", "mesh.npy", npy("'<i8'", false, "(1152921504606846976, 3)", &[0; 24]), &["does not fit"]),
-        ("an array of 2^128", "mesh.npy", npy("'<i8'", false, &format!("({0}, {0})", u64::MAX), &[0; 24]), &["does not fit"]),
-        ("an endless header", "mesh.npy", [b"\x93NUMPY\x02\0\xff\xff\xff\x7f".as_slice(), &[b' '; 1000]].concat(), &["10000"]),
+        (
+            "an array of 2^128",
+            "mesh.npy",
+            npy("'<i8'", false, &format!("({0}, {0})", u64::MAX), &[0; 24]),
+            &["does not fit"],
+        ),
+        (
+            "an endless header",
+            "mesh.npy",
+            [b"\x93NUMPY\x02\0\xff\xff\xff\x7f".as_slice(), &[b' '; 1000]].concat(),
+            &["10000"],
+        ),
         (
             "64 MB of zeros in 64 kB",
             "mesh.npz",
@@ -213,12 +223,21 @@ fn meshes() {
         ("half an archive", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 2]]))])[..80].to_vec(), &["no npz archive"]),
         ("vertex 2^60", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 1 << 60]]))]), &["which is no vertex"]),
         ("vertex 10^9", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 1_000_000_000]]))]), &["without gaps"]),
-        ("lists in lists of FOLD", "mesh.fold", "[".repeat(1_000_000).into_bytes(), &["mesh.fold:1", "this is not JSON"]),
+        (
+            "lists in lists of FOLD",
+            "mesh.fold",
+            "[".repeat(1_000_000).into_bytes(),
+            &["mesh.fold:1", "this is not JSON"],
+        ),
         ("vertex 10^9 of FOLD", "mesh.fold", b"{\"faces_vertices\": [[0, 1, 1000000000]]}".to_vec(), &["is named"]),
         (
             "a face of 10^5 corners in FOLD",
             "mesh.fold",
-            format!("{{\"vertices_coords\": [[0,0],[1,0],[0,1]], \"faces_vertices\": [[0{}]]}}", ", 1, 2".repeat(50_000)).into_bytes(),
+            format!(
+                "{{\"vertices_coords\": [[0,0],[1,0],[0,1]], \"faces_vertices\": [[0{}]]}}",
+                ", 1, 2".repeat(50_000)
+            )
+            .into_bytes(),
             &["mesh.fold"],
         ),
         ("2^60 corners", "mesh.obj", format!("{triangle}f 1 2 1152921504606846976\n").into_bytes(), &["mesh.obj:4"]),

@@ -197,7 +197,11 @@ fn arrays_are_metrics_of_a_scene() {
     fs::write(at.join("rows.npz"), npz(&[("edge_lengths", table(&rows))])).unwrap();
     fs::write(at.join("frame.npz"), npz(&[("edge_lengths", list(&wanted)), ("time", list(&[0.0]))])).unwrap();
     for name in ["rows.npy", "rows.npz", "frame.npz", "pose10.obj"] {
-        assert_eq!(frames(&scene(at, &format!("[metric]\nfile = '{name}'\n"))), [wanted.clone()], "{name}");
+        assert_eq!(
+            frames(&scene(at, &format!("[metric]\nfile = '{name}'\n"))),
+            std::slice::from_ref(&wanted),
+            "{name}"
+        );
     }
     let scene = scene(at, "[metric]\nfile = 'missing.npy'\n");
     assert!(scene.simulation().map(drop).unwrap_err().to_string().contains("missing.npy"));
