@@ -2,6 +2,7 @@
 
 pub mod advice;
 pub mod digest;
+mod npy;
 pub mod text;
 pub mod tuning;
 mod whole_file;

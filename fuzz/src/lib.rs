@@ -51,6 +51,17 @@ pub fn mesh(bytes: &[u8], ending: &str) {
     });
 }
 
+/// Reads a file of arrays, or of FOLD: as a mesh, and as what it says of an octahedron.
+pub fn arrays(bytes: &[u8], ending: &str) {
+    mesh(bytes, ending);
+    at_desk(|desk| {
+        let path = desk.folder.path().join(format!("mesh.{ending}"));
+        let _ = mesh::read_lengths(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
+        let _ = mesh::read_positions(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
+        let _ = mesh::read_bending_angles(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
+    });
+}
+
 /// Reads tables that belong to an octahedron.
 pub fn table(bytes: &[u8]) {
     at_desk(|desk| {

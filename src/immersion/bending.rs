@@ -2,7 +2,7 @@
 
 use crate::advice::Advice;
 use crate::mesh::{EdgeId, Mesh};
-use crate::timeline::Number;
+use crate::timeline::{Keyframes, Number};
 
 /// The number that target angles are refused for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl Advice for NoAngle {
 #[derive(Clone, Debug)]
 pub struct TargetBending {
     /// |E|, in radians.
-    angles: Vec<f64>,
+    angles: Keyframes<Vec<f64>>,
     amount: Number,
     /// Edges with an angle of their own, in degrees.
     regions: Vec<(Vec<EdgeId>, Number)>,
@@ -47,13 +47,23 @@ impl TargetBending {
     /// So much of the angles of a shape (|E|, in radians). Everything inside is asked to bend like that.
     pub fn of_shape(mesh: &Mesh, angles: Vec<f64>, amount: Number) -> TargetBending {
         let is_asked = mesh.edges().map(|e| !mesh.is_boundary_edge(e)).collect();
+        TargetBending { angles: Keyframes::constant(angles), amount, regions: Vec::new(), is_asked }
+    }
+
+    /// So much of given angles (|E|, in radians), each time's between those of the keyframes around it. Where a keyframe has
+    /// none the edge is flat at rest, and no angle is asked for. Those of boundary edges mean nothing.
+    pub fn of_keyframes(mesh: &Mesh, angles: Keyframes<Vec<Option<f64>>>, amount: Number) -> TargetBending {
+        let is_known = |e: EdgeId| angles.values().iter().all(|angles| angles[e.index()].is_some());
+        let is_asked = mesh.edges().map(|e| is_known(e) && !mesh.is_boundary_edge(e)).collect();
+        let angles = angles.map(|angles| angles.into_iter().map(|angle| angle.unwrap_or(0.0)).collect());
         TargetBending { angles, amount, regions: Vec::new(), is_asked }
     }
 
     /// Flat at rest; no angle is asked for yet.
     pub fn flat(mesh: &Mesh) -> TargetBending {
         let amount = Number::Constant(1.0);
-        let (angles, is_asked) = (vec![0.0; mesh.edge_count()], vec![false; mesh.edge_count()]);
+        let angles = Keyframes::constant(vec![0.0; mesh.edge_count()]);
+        let is_asked = vec![false; mesh.edge_count()];
         TargetBending { angles, amount, regions: Vec::new(), is_asked }
     }
 
@@ -67,7 +77,7 @@ impl TargetBending {
 
     /// Whether any depends on time.
     pub fn changes(&self) -> bool {
-        self.amount.changes() || self.regions.iter().any(|(_, angle)| angle.changes())
+        self.angles.values().len() > 1 || self.amount.changes() || self.regions.iter().any(|(_, angle)| angle.changes())
     }
 
     /// Per edge: whether an angle is asked for, |E|.
@@ -85,7 +95,13 @@ impl TargetBending {
             value => Err(NoAngle { part, value, time }),
         };
         let amount = finite(&self.amount, BendingPart::Amount)?;
-        let mut angles: Vec<f64> = self.angles.iter().map(|angle| amount * angle).collect();
+        let (before, after, part) = self.angles.around(time);
+        let between = |(a, b): (&f64, &f64)| match part {
+            0.0 => amount * a,
+            1.0 => amount * b,
+            part => amount * (a + (b - a) * part),
+        };
+        let mut angles: Vec<f64> = before.iter().zip(after).map(between).collect();
         for (k, (edges, angle)) in self.regions.iter().enumerate() {
             let angle = finite(angle, BendingPart::Region(k))?.to_radians();
             edges.iter().for_each(|e| angles[e.index()] = angle);

@@ -27,7 +27,10 @@ pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
 pub use limits::{LARGEST_COORDINATE, MOST_FACES, MOST_VERTICES, is_in_reach};
 pub use numbering::{Numbering, UnknownVertex};
 pub(crate) use read::is_binary_stl;
-pub use read::{FileFormat, read, read_edge_lengths, read_positions, read_vertex_numbers, read_welded};
+pub use read::{
+    FileFormat, read, read_bending_angles, read_edge_lengths, read_lengths, read_positions, read_vertex_numbers,
+    read_welded,
+};
 pub use repair::{Repaired, repair};
 pub use selection::{EdgeSelection, Selection, SelectionError, select_edges, select_vertices};
 pub(crate) use surface::first_out_of_reach;

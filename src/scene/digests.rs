@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::data::{BendingFrom, ChangeKind, LengthSource, Scene, StartFrom};
+use super::data::{BendingFrom, ChangeKind, FilesSection, LengthSource, Scene, StartFrom};
 use crate::digest::{Digest, Key};
 use crate::whole_file;
 
@@ -27,6 +27,15 @@ impl Scene {
             LengthSource::Csv(path) | LengthSource::File(path) => Some(path),
             _ => None,
         });
+        // A pattern that cannot be looked up counts as no files; the section that wants it says so.
+        let several = |section: Option<&FilesSection>| {
+            section.and_then(|section| self.sequence(section).ok()).unwrap_or_default()
+        };
+        let poses = several(self.metric.files.as_ref());
+        let bent = several(self.bending.as_ref().and_then(|bending| match &bending.from {
+            Some(BendingFrom::Files(section)) => Some(section),
+            _ => None,
+        }));
         let start = if let StartFrom::File(path) = &self.start.from { Some(path) } else { None };
         let bending = self.bending.as_ref().and_then(|bending| match &bending.from {
             Some(BendingFrom::File(path)) => Some(path),
@@ -35,11 +44,17 @@ impl Scene {
         let sections = [
             ("mesh", self.with_files(Digest::of("mesh").shown(&self.mesh).shown(&self.weld), self.mesh.file())),
             ("parameters", Digest::of("parameters").shown(&self.parameters)),
-            ("metric", self.with_files(Digest::of("metric").shown(&self.metric), lengths.chain(cones))),
+            ("metric", self.with_files(Digest::of("metric").shown(&self.metric), lengths.chain(cones).chain(&poses))),
             ("spin", Digest::of("spin").shown(&self.spin)),
             ("start", self.with_files(Digest::of("start").shown(&self.start), start)),
             ("phase", Digest::of("phase").shown(&self.phases)),
-            ("bending", self.with_files(Digest::of("bending").shown(&self.bending).shown(&self.relaxation), bending)),
+            (
+                "bending",
+                self.with_files(
+                    Digest::of("bending").shown(&self.bending).shown(&self.relaxation),
+                    bending.into_iter().chain(&bent),
+                ),
+            ),
             ("pin", Digest::of("pin").shown(&self.pins)),
             ("clock", Digest::of("clock").shown(&self.clock)),
         ];

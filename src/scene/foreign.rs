@@ -20,7 +20,9 @@ type Sentence = (String, String);
 pub(super) fn foreign_ending(path: &Path) -> Option<Sentence> {
     let ending = path.extension()?.to_string_lossy().to_lowercase();
     let is_one_of = |endings: &[&str]| endings.contains(&ending.as_str());
-    if FileFormat::of(path).is_some() {
+    if is_one_of(&ARRAYS) {
+        Some(arrays())
+    } else if FileFormat::of(path).is_some() {
         Some(a_mesh(path))
     } else if is_one_of(&OTHER_MODELS) {
         Some(another_model())
@@ -31,8 +33,6 @@ pub(super) fn foreign_ending(path: &Path) -> Option<Sentence> {
             "it is a table, not a scene".into(),
             "name a scene file (TOML), which may name it as csv = '…' under [metric]".into(),
         ))
-    } else if is_one_of(&ARRAYS) {
-        Some(arrays())
     } else if ending == "json" {
         Some(json())
     } else {
@@ -157,7 +157,10 @@ fn a_picture() -> Sentence {
 }
 
 fn arrays() -> Sentence {
-    ("it is an archive or arrays, not a scene".into(), "name a scene file (TOML)".into())
+    (
+        "it is an archive or arrays, not a scene".into(),
+        "name a scene file (TOML), which may name arrays of faces as file = '…' under [mesh]".into(),
+    )
 }
 
 fn json() -> Sentence {

@@ -20,16 +20,17 @@ mod foreign;
 mod keys;
 mod schema;
 mod sections;
+mod sequence;
 mod source;
 
 pub use build::{clock_of, phases_as_text};
 pub use data::{
     AnimationFormat, BendingFrom, BendingRegionSection, BendingSection, CameraKeySection, CameraSection, ChangeKind,
-    ChecksSection, ClockSection, ColorSection, CurvatureRegionSection, CutSection, ExportFormat, FilmChecksSection,
-    Framed, LengthSource, LightSection, LikeDefault, LineSection, LookSection, MaterialName, MeshSection,
-    MetricChangeSection, MetricKeySection, MetricSection, MotionSection, NumberSection, OutputSection, PatternAlong,
-    PatternSection, PhaseSection, PinSection, RelaxationSection, RicciSection, Scene, SpinSection, StartFrom,
-    StartSection, TextSection,
+    ChecksSection, ClockSection, ColorSection, CurvatureRegionSection, CutSection, ExportFormat, FilesSection,
+    FilmChecksSection, Framed, LengthSource, LightSection, LikeDefault, LineSection, LookSection, MaterialName,
+    MeshSection, MetricChangeSection, MetricKeySection, MetricSection, MotionSection, NumberSection, OutputSection,
+    PatternAlong, PatternSection, PhaseSection, PinSection, RelaxationSection, RicciSection, Scene, SpinSection,
+    StartFrom, StartSection, TextSection,
 };
 pub use error::{SceneError, SceneErrors};
 pub use source::{Location, Source};

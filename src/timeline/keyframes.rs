@@ -91,6 +91,12 @@ impl<T> Keyframes<T> {
         (&self.values[after - 1], &self.values[after], part)
     }
 
+    /// The same times with other values.
+    pub fn map<U>(self, value: impl FnMut(T) -> U) -> Keyframes<U> {
+        let Keyframes { times, values, ease, extrapolation } = self;
+        Keyframes { times, values: values.into_iter().map(value).collect(), ease, extrapolation }
+    }
+
     /// The values, in order of time.
     pub fn values(&self) -> &[T] {
         &self.values

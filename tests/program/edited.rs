@@ -258,3 +258,43 @@ fn a_restart_makes_all_anew() {
         film.times().into_iter().filter(|(n, time)| before.get(n) == Some(time)).map(|(n, _)| n).collect();
     assert_eq!(kept, ["curves.csv", "curves.svg", "mesh.npz"], "which have the same bytes");
 }
+
+#[test]
+fn the_mesh_of_an_earlier_build_is_written_anew_and_frames_stay() {
+    let film = Film::of(SCENE);
+    let path = film.0.path().join("out/mesh.npz");
+    let new = fs::read(&path).unwrap();
+    // Without its edges, and with the checksums that it had then.
+    let mut from = zip::ZipArchive::new(std::io::Cursor::new(&new)).unwrap();
+    let mut to = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    for k in 0..from.len() {
+        let array = from.by_index(k).unwrap();
+        if array.name().unwrap() != "edges.npy" {
+            to.raw_copy_file(array).unwrap();
+        }
+    }
+    let old = to.finish().unwrap().into_inner();
+    assert!(old.len() < new.len());
+    let manifest = film.0.path().join("out/manifest.json");
+    let text = fs::read_to_string(&manifest).unwrap();
+    let [was, is] = [&new, &old].map(|bytes| immerse::digest::Key::of_bytes(bytes).to_string());
+    let text = text.replace(&was, &is);
+    const PREFIX: &str = "{\n  \"crc32\": \"";
+    let body = &text[PREFIX.len() + 10..];
+    fs::write(&manifest, format!("{PREFIX}{:08x}\",{body}", crc32fast::hash(body.as_bytes()))).unwrap();
+    fs::write(&path, &old).unwrap();
+    // What is there is read as it is.
+    let folder = immerse::film::FilmFolder::open(&film.0.path().join("out")).unwrap();
+    assert_eq!(folder.valid_frames().unwrap(), [true; 5]);
+    assert!(folder.mesh().is_ok());
+    let before = film.times();
+    film.run(&["run"]);
+    let after = film.times();
+    for frame in 1..=5 {
+        for name in [format!("frames/{frame:06}.npz"), format!("frames/{frame:06}.json")] {
+            assert_eq!(before[&name], after[&name], "{name} was written again");
+        }
+    }
+    assert_eq!(fs::read(&path).unwrap(), new);
+    film.is_as_in_one_go();
+}

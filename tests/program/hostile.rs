@@ -5,6 +5,7 @@
 //! memory or a signal is another code than 2.
 #![cfg(unix)]
 
+use crate::support::npy::{compressed, npy, npz, whole};
 use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
@@ -200,6 +201,45 @@ fn meshes() {
         ("gzip", "mesh.obj", b"\x1f\x8b\x08\0\0\0".to_vec(), &["packed by gzip"]),
         ("zip", "mesh.ply", b"PK\x03\x04\x14\0".to_vec(), &["a zip archive"]),
         ("zeros", "mesh.obj", vec![0; 1 << 20], &["mesh.obj"]),
+        ("an array of 2^60", "mesh.npy", npy("'<i8'", false, "(1152921504606846976, 3)", &[0; 24]), &["does not fit"]),
+        (
+            "an array of 2^128",
+            "mesh.npy",
+            npy("'<i8'", false, &format!("({0}, {0})", u64::MAX), &[0; 24]),
+            &["does not fit"],
+        ),
+        (
+            "an endless header",
+            "mesh.npy",
+            [b"\x93NUMPY\x02\0\xff\xff\xff\x7f".as_slice(), &[b' '; 1000]].concat(),
+            &["10000"],
+        ),
+        (
+            "64 MB of zeros in 64 kB",
+            "mesh.npz",
+            compressed(&[("faces", npy("'|u1'", false, "(21000000, 3)", &vec![0; 63_000_000]))]),
+            &["it would take", "numpy.savez"],
+        ),
+        ("half an archive", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 2]]))])[..80].to_vec(), &["no npz archive"]),
+        ("vertex 2^60", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 1 << 60]]))]), &["which is no vertex"]),
+        ("vertex 10^9", "mesh.npz", npz(&[("faces", whole(&[[0, 1, 1_000_000_000]]))]), &["without gaps"]),
+        (
+            "lists in lists of FOLD",
+            "mesh.fold",
+            "[".repeat(1_000_000).into_bytes(),
+            &["mesh.fold:1", "this is not JSON"],
+        ),
+        ("vertex 10^9 of FOLD", "mesh.fold", b"{\"faces_vertices\": [[0, 1, 1000000000]]}".to_vec(), &["is named"]),
+        (
+            "a face of 10^5 corners in FOLD",
+            "mesh.fold",
+            format!(
+                "{{\"vertices_coords\": [[0,0],[1,0],[0,1]], \"faces_vertices\": [[0{}]]}}",
+                ", 1, 2".repeat(50_000)
+            )
+            .into_bytes(),
+            &["mesh.fold"],
+        ),
         ("2^60 corners", "mesh.obj", format!("{triangle}f 1 2 1152921504606846976\n").into_bytes(), &["mesh.obj:4"]),
         ("corner -2^31", "mesh.obj", format!("{triangle}f 1 2 -2147483648\n").into_bytes(), &["mesh.obj:4"]),
         ("a face of 10^5 corners", "mesh.obj", format!("{triangle}f{corners}\n").into_bytes(), &["mesh.obj"]),
@@ -281,14 +321,15 @@ fn places_without_a_file() {
 /// Tables of lengths and of curvatures.
 #[test]
 fn tables() {
-    let cases: [(&str, String, &[&str]); 7] = [
+    let cases: [(&str, String, &[&str]); 8] = [
         ("10^6 columns", "0,1".repeat(1_000_000), &["lengths.csv:1"]),
         ("a column of 10^6 digits", format!("0,1,{}\n", "9".repeat(1_000_000)), &["lengths.csv:1"]),
         ("vertex 2^60", "0,1152921504606846976,1\n".into(), &["lengths.csv:1"]),
         ("vertex -1", "0,-1,1\n".into(), &["lengths.csv:1"]),
         ("a length of 0", "0,1,0\n".into(), &["not positive"]),
         ("zeros", "\0".repeat(1 << 20), &["not text"]),
-        ("a mistake on every line", "x,y,z\n".repeat(100_000), &["lengths.csv:2"]),
+        ("a mistake on every line", "x,y,z\n".repeat(100_000), &["lengths.csv:1", "which column is which"]),
+        ("a header of 10^5 names", format!("{}\n0,1,1\n", "u,v,length,".repeat(30_000)), &["lengths.csv:1"]),
     ];
     for (name, table, words) in cases {
         let folder = tempfile::tempdir().expect("a folder");

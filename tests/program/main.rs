@@ -19,6 +19,7 @@ mod frame_rates;
 mod hostile;
 mod interrupted;
 mod leftovers;
+mod numpy;
 mod overlap;
 mod process;
 mod shipped_scenes;

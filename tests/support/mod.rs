@@ -1,6 +1,8 @@
 //! Meshes, maps and random numbers that several tests use.
 #![allow(dead_code)] // every test uses another part of this
 
+pub mod npy;
+
 use glam::{DQuat, DVec3};
 use immerse::mesh::{FaceId, HalfedgeId, Mesh, Surface};
 use immerse::metric::Metric;

@@ -9,7 +9,7 @@ use super::error::{DiskError, SIMULATE_AGAIN};
 use super::frame_file::{from_npz, to_npz};
 use super::frame_names::{frame_files, frame_number};
 use super::manifest::{FORMAT, FilmSpec, Manifest, MeshCounts};
-use super::mesh_file::{FilmMesh, file_faces_of, triangles_of};
+use super::mesh_file::{FilmMesh, file_faces_of, file_vertices_of, lists_edges, triangles_of};
 use super::seal::{SealError, read, remove, seal, unseal, write_whole};
 use crate::digest::{Digest, Key};
 use crate::evolve::{Frame, FrameReport};
@@ -50,9 +50,11 @@ impl FilmFolder {
                 let Some(keys) = film.manifest.keys_for(&sections) else { return Ok(None) };
                 let spec = FilmSpec::of_sections(scene, sections, keys.to_vec());
                 let Manifest { mesh, mesh_sha256, .. } = film.manifest;
-                match film.mesh() {
+                match film.mesh().and_then(|_| film.read_mesh(lists_edges)) {
                     // Names and checks may have changed; they decide no frame.
-                    Ok(_) => FilmFolder::begin(folder, &spec, mesh, mesh_sha256).map(Some),
+                    Ok(true) => FilmFolder::begin(folder, &spec, mesh, mesh_sha256).map(Some),
+                    // The mesh of an earlier build is written anew.
+                    Ok(false) => Ok(None),
                     Err(DiskError::Damaged { .. }) => Ok(None),
                     Err(error) => Err(error),
                 }
@@ -190,6 +192,14 @@ impl FilmFolder {
     /// [`DiskError::Damaged`] if the mesh is not what was written.
     pub fn file_faces(&self) -> Result<Vec<u32>, DiskError> {
         self.read_mesh(|bytes| file_faces_of(bytes, self.manifest.mesh.faces))
+    }
+
+    /// The number of each vertex in the mesh file, |V|.
+    ///
+    /// # Errors
+    /// As [`FilmFolder::file_faces`].
+    pub fn file_vertices(&self) -> Result<Vec<u32>, DiskError> {
+        self.read_mesh(|bytes| file_vertices_of(bytes, self.manifest.mesh.vertices))
     }
 
     fn read_mesh<T>(&self, arrays: impl FnOnce(&[u8]) -> Result<T, String>) -> Result<T, DiskError> {

@@ -3,10 +3,10 @@
 use std::io;
 
 use super::manifest::{FORMAT, MeshCounts};
-use super::npz::{ArrayReader, ArrayWriter};
 use crate::algebra::Complex;
 use crate::evolve::{Frame, FrameReport};
 use crate::mesh::EdgeId;
+use crate::npy::{ArrayReader, ArrayWriter};
 use crate::spin::SpinStructure;
 use glam::{DQuat, DVec3};
 

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::npz::{ArrayReader, ArrayWriter};
 use crate::mesh::{Mesh, VertexId};
+use crate::npy::{ArrayReader, ArrayWriter};
 
 /// The surface of a film, and all that pictures want to know of it, so that nobody asks the scene again.
 #[derive(Clone, Debug)]
@@ -33,6 +33,7 @@ impl FilmMesh {
         let count = |n: usize| n as u64;
         let mut file = ArrayWriter::new();
         file.array("triangles", &[count(mesh.face_count()), 3], mesh.triangles().into_iter().flatten())?;
+        file.array("edges", &[count(mesh.edge_count()), 2], edges(mesh))?;
         file.array("file_vertex", &[count(mesh.vertex_count())], mesh.file_vertices())?;
         file.array("file_face", &[count(mesh.face_count())], mesh.file_faces())?;
         let mut pinned = vec![0_u8; mesh.vertex_count()];
@@ -56,6 +57,9 @@ impl FilmMesh {
             false => None,
         };
         let places = places.map(|places| places.as_chunks().0.iter().map(|&p| DVec3::from_array(p)).collect());
+        if file.has("edges") && file.array::<u32>("edges", &[mesh.edge_count() as u64, 2])? != edges(&mesh) {
+            return Err("array `edges` does not list the edges of the triangles".to_owned());
+        }
         let pinned = file.array::<u8>("pinned", &[vertices as u64])?;
         let pins = (0..pinned.len()).filter(|&v| pinned[v] != 0).map(VertexId::new).collect();
         let lattice = match file.has("lattice") {
@@ -68,6 +72,16 @@ impl FilmMesh {
     }
 }
 
+/// The ends of all edges, from and to: the order of every array that has an entry per edge.
+fn edges(mesh: &Mesh) -> Vec<u32> {
+    mesh.edges().flat_map(|e| mesh.edge_vertices(e)).map(|v| v.index() as u32).collect()
+}
+
+/// Whether a file with these bytes lists its edges, as those of earlier builds do not.
+pub(super) fn lists_edges(bytes: &[u8]) -> Result<bool, String> {
+    Ok(ArrayReader::new(bytes)?.has("edges"))
+}
+
 /// Corners of so many faces.
 pub(super) fn triangles_of(bytes: &[u8], faces: usize) -> Result<Vec<[u32; 3]>, String> {
     let corners = ArrayReader::new(bytes)?.array::<u32>("triangles", &[faces as u64, 3])?;
@@ -77,4 +91,9 @@ pub(super) fn triangles_of(bytes: &[u8], faces: usize) -> Result<Vec<[u32; 3]>, 
 /// The number of each of so many faces in the mesh file.
 pub(super) fn file_faces_of(bytes: &[u8], faces: usize) -> Result<Vec<u32>, String> {
     ArrayReader::new(bytes)?.array::<u32>("file_face", &[faces as u64])
+}
+
+/// The number of each of so many vertices in the mesh file.
+pub(super) fn file_vertices_of(bytes: &[u8], vertices: usize) -> Result<Vec<u32>, String> {
+    ArrayReader::new(bytes)?.array::<u32>("file_vertex", &[vertices as u64])
 }

@@ -3,9 +3,10 @@
 //! ```text
 //! renders/<scene name>/
 //!     manifest.json        format version, what was simulated, mesh counts, checks, the key of every frame
-//!     mesh.npz             triangles (F x 3, u32); file_vertex (V, u32) and file_face (F, u32), the numbers of vertices and
-//!                          polygons in the mesh file, from 0; pinned (V, u8), 1 for vertices that are held; places (V x 3),
-//!                          x, y and z of scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
+//!     mesh.npz             triangles (F x 3, u32); edges (E x 2, u32), in the order of all that has an entry per edge;
+//!                          file_vertex (V, u32) and file_face (F, u32), the numbers of vertices and polygons in the mesh
+//!                          file, from 0; pinned (V, u8), 1 for vertices that are held; places (V x 3), x, y and z of
+//!                          scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, its key, and the checksum of the state
 //!     .immerse             what the pictures were made of
@@ -23,7 +24,6 @@ mod frame_names;
 mod lock;
 mod manifest;
 mod mesh_file;
-mod npz;
 mod seal;
 
 pub use error::DiskError;
@@ -31,4 +31,3 @@ pub use folder::FilmFolder;
 pub use lock::FolderLock;
 pub use manifest::{FilmSpec, Manifest, MeshCounts};
 pub use mesh_file::FilmMesh;
-pub(in crate::film) use npz::ArrayWriter;

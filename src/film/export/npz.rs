@@ -2,7 +2,7 @@
 
 use super::format::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
-use crate::film::disk::ArrayWriter;
+use crate::npy::ArrayWriter;
 
 pub(super) struct Npz<'a>(pub &'a Subject);
 

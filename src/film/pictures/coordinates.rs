@@ -97,16 +97,11 @@ fn spread(values: Vec<f64>, count: usize) -> Field {
     let scale = if high > low { count as f64 / (high - low) } else { 0.0 };
     // The greatest value belongs to the last period, not to the next.
     let place = |value: &f64| ((value - low) * scale).min(count as f64 * (1.0 - 1e-6)) as f32;
-    Field {
-        name: "pattern".into(),
-        unit: "",
-        values: FieldValues::PerVertex(values.iter().map(place).collect()),
-        period: None,
-    }
+    Field { name: "pattern".into(), values: FieldValues::PerVertex(values.iter().map(place).collect()), period: None }
 }
 
 /// Parts of the way around, as `count` periods.
 fn around(parts: impl Iterator<Item = f64>, count: usize) -> Field {
     let values = parts.map(|part| ((part - part.floor()) * count as f64) as f32).collect();
-    Field { name: "pattern".into(), unit: "", values: FieldValues::PerVertex(values), period: Some(count as f32) }
+    Field { name: "pattern".into(), values: FieldValues::PerVertex(values), period: Some(count as f32) }
 }

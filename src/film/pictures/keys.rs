@@ -9,7 +9,7 @@ use crate::{
 
 /// Counts the ways in which pictures have been made. Whoever changes how they look raises it, so that no film mixes pictures
 /// of two ways; a test compares small pictures with what they were.
-pub const RENDERER: u32 = 1;
+pub const RENDERER: u32 = 2;
 
 /// What is on disk of the frames that a picture shows.
 #[derive(Clone, Debug)]

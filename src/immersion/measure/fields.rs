@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 /// Quantities of a frame that can be shown as colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FieldName {
-    /// Relative error of the lengths around a face, root mean square.
+    /// Relative error of the lengths around a face, root mean square, as a ratio: 0.01 is one per cent.
     LengthError,
     /// Gaussian curvature of the metric asked for: angle defect over area, per vertex.
     GaussianCurvature,
@@ -118,7 +118,7 @@ impl Fields {
 
     /// The values of a field on a frame:
     ///
-    /// - length error: percent, per face, root mean square over its edges;
+    /// - length error: a ratio (1 is a hundred per cent), per face, root mean square over its edges;
     /// - Gaussian curvature: [`gaussian_curvatures`]; mean curvature: [`mean_curvatures`]; both per vertex;
     /// - conformal factor: [`ConformalFactor`] against the first frame, per vertex;
     /// - energy density: per face, half the energy of its hinges (Eq. 39, with no target bending angles) over its area. It
@@ -134,7 +134,7 @@ impl Fields {
         Ok(match name {
             FieldName::LengthError => {
                 let errors = length_errors(mesh, metric, positions);
-                self.per_face(|f| 100.0 * self.mean_square(f, |e| Some(errors[e.index()])).sqrt())
+                self.per_face(|f| self.mean_square(f, |e| Some(errors[e.index()])).sqrt())
             }
             FieldName::GaussianCurvature => per_vertex(&gaussian_curvatures(mesh, metric)),
             FieldName::MeanCurvature => per_vertex(&mean_curvatures(mesh, positions)),

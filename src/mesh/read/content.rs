@@ -4,6 +4,7 @@ use super::format::FileFormat;
 use super::formats::{off, stl};
 use super::problem::Problem;
 use super::words::lines;
+use crate::npy::{is_archive, is_array};
 use crate::text::{decode, without_mark};
 
 /// # Errors
@@ -15,7 +16,7 @@ pub(super) fn check(bytes: &[u8], expected: FileFormat) -> Result<(), Problem> {
             "give a file with vertices and faces",
         ));
     }
-    if let Some((what, remedy)) = no_mesh(bytes) {
+    if let Some((what, remedy)) = no_mesh(bytes).filter(|_| expected != FileFormat::Npz || !is_archive(bytes)) {
         return Err(Problem::new(format!("this is {what}, not a mesh"), remedy));
     }
     match format(bytes) {
@@ -52,6 +53,9 @@ fn no_mesh(bytes: &[u8]) -> Option<(&'static str, String)> {
 /// The format that the content shows beyond doubt, and what it is called.
 fn format(bytes: &[u8]) -> Option<(FileFormat, &'static str)> {
     const START: usize = 4096;
+    if is_array(bytes) {
+        return Some((FileFormat::Npy, "an array of NumPy"));
+    }
     if stl::is_binary(bytes) {
         return Some((FileFormat::Stl, "a binary STL file"));
     }
@@ -61,6 +65,9 @@ fn format(bytes: &[u8]) -> Option<(FileFormat, &'static str)> {
     let word = |line: &str| line.split_ascii_whitespace().next().unwrap_or_default().to_ascii_lowercase();
     if first == "ply" {
         return Some((FileFormat::Ply, "a PLY file"));
+    }
+    if first.starts_with('{') && text.contains("_vertices\"") {
+        return Some((FileFormat::Fold, "a FOLD file"));
     }
     if off::is_header(first) {
         return Some((FileFormat::Off, "an OFF file"));

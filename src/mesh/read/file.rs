@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::content;
 use super::format::FileFormat;
-use super::formats::{obj, off, ply, stl};
+use super::formats::{arrays, fold, obj, off, ply, stl};
 use super::problem::{Problem, read_bytes};
 use super::soup::Soup;
 use crate::mesh::limits::{LARGEST_COORDINATE, check_size};
@@ -12,13 +12,14 @@ use crate::mesh::repair::Unrepairable;
 use crate::mesh::surface::first_out_of_reach;
 use crate::mesh::{MeshError, Surface, Weld};
 
-/// Reads an OBJ, PLY (ascii or binary), OFF or STL (ascii or binary) file, chosen by the file's ending.
+/// Reads an OBJ, PLY (ascii or binary), OFF, STL (ascii or binary) or FOLD file, or arrays of NumPy (`.npz` with `faces`, `.npy`
+/// of faces), chosen by the file's ending.
 ///
 /// Polygons are cut into triangles, also concave ones. Seams are welded where coordinates are equal, and in STL files
 /// also within the rounding of single precision. The result is oriented and compacted by [`crate::mesh::repair`].
 /// [`Surface::repairs`] says what all that changed, and [`crate::mesh::Mesh::file_vertex`] what the file calls each
-/// vertex. A file whose vertices all lie in one point is purely intrinsic and has no positions, and so is an OBJ file
-/// that lists faces but no vertices.
+/// vertex. A file whose vertices all lie in one point is purely intrinsic and has no positions, and so is one that lists
+/// faces but no vertices. Lengths that a FOLD or `.npz` file decrees are [`Surface::edge_lengths`].
 ///
 /// # Errors
 /// [`MeshError::File`] and [`MeshError::FileLine`] for files that cannot be read or parsed,
@@ -33,7 +34,7 @@ pub fn read(path: &Path) -> Result<Surface, MeshError> {
 /// The errors of [`read`].
 pub fn read_welded(path: &Path, weld: Option<Weld>) -> Result<Surface, MeshError> {
     let (soup, format) = read_soup(path)?;
-    soup.surface(format, weld).map_err(|unrepairable| match unrepairable {
+    let surface = soup.surface(format, weld).map_err(|unrepairable| match unrepairable {
         Unrepairable::Size(error) => Problem::of_size(&error).in_file(path),
         Unrepairable::Faults(mut faults) => {
             let counted_from = format.counts_from();
@@ -45,7 +46,10 @@ pub fn read_welded(path: &Path, weld: Option<Weld>) -> Result<Surface, MeshError
             let lines = if let [only] = &*faults.listed { only.lines.clone() } else { Vec::new() };
             MeshError::InFile { path: path.to_owned(), lines, counted_from, error: Box::new(faults.into_error()) }
         }
-    })
+    })?;
+    let lengths = soup.lengths.map(|lengths| lengths.lengths_on(&surface.mesh, surface.positions.as_deref()));
+    let edge_lengths = lengths.transpose().map_err(|problem| problem.in_file(path))?;
+    Ok(Surface { edge_lengths, ..surface })
 }
 
 /// What a file says, and its format. Its numbers of vertices and of triangles are such that 32 bits hold them.
@@ -59,6 +63,9 @@ pub(super) fn read_soup(path: &Path) -> Result<(Soup, FileFormat), MeshError> {
         FileFormat::Ply => ply::parse,
         FileFormat::Off => off::parse,
         FileFormat::Stl => stl::parse,
+        FileFormat::Fold => fold::parse,
+        FileFormat::Npz => arrays::parse_npz,
+        FileFormat::Npy => arrays::parse_npy,
     };
     let bytes = read_bytes(path)?;
     let soup = content::check(&bytes, format).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;

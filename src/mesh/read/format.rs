@@ -14,11 +14,25 @@ pub enum FileFormat {
     Off,
     /// Stereolithography, ascii or binary: lists of corners, whose vertices have no numbers.
     Stl,
+    /// FOLD 1.2, of origami.
+    Fold,
+    /// An archive of NumPy with an array of faces.
+    Npz,
+    /// An array of faces.
+    Npy,
 }
 
 impl FileFormat {
     /// All of them.
-    pub const ALL: [FileFormat; 4] = [FileFormat::Obj, FileFormat::Ply, FileFormat::Off, FileFormat::Stl];
+    pub const ALL: [FileFormat; 7] = [
+        FileFormat::Obj,
+        FileFormat::Ply,
+        FileFormat::Off,
+        FileFormat::Stl,
+        FileFormat::Fold,
+        FileFormat::Npz,
+        FileFormat::Npy,
+    ];
 
     /// What its files end in, in small letters and without the point.
     pub const fn ending(self) -> &'static str {
@@ -27,6 +41,9 @@ impl FileFormat {
             FileFormat::Ply => "ply",
             FileFormat::Off => "off",
             FileFormat::Stl => "stl",
+            FileFormat::Fold => "fold",
+            FileFormat::Npz => "npz",
+            FileFormat::Npy => "npy",
         }
     }
 

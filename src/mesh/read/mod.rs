@@ -2,9 +2,11 @@
 //! everything else is an error with its place in the file.
 
 mod content;
+mod edges;
 mod file;
 mod format;
 mod formats;
+mod lengths;
 mod positions;
 mod problem;
 mod soup;
@@ -15,5 +17,6 @@ mod words;
 pub use file::{read, read_welded};
 pub use format::FileFormat;
 pub(crate) use formats::stl::is_binary as is_binary_stl;
+pub use lengths::{read_bending_angles, read_lengths};
 pub use positions::read_positions;
 pub use tables::{read_edge_lengths, read_vertex_numbers};

@@ -6,7 +6,11 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::file::{read, read_soup};
+use super::format::FileFormat;
+use super::formats::arrays::Arrays;
+use super::problem::{Problem, read_bytes};
 use super::soup::Soup;
+use crate::mesh::surface::first_out_of_reach;
 use crate::mesh::{FaceId, Mesh, MeshError, VertexId};
 
 /// Reads the vertex positions of a file whose faces are those of the mesh, in the same order; |V| values.
@@ -19,6 +23,9 @@ use crate::mesh::{FaceId, Mesh, MeshError, VertexId};
 /// apart.
 pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError> {
     let fail = |reason: String, remedy: &str| MeshError::File { path: path.into(), reason, remedy: remedy.into() };
+    if let Some(positions) = alone(path, mesh)? {
+        return Ok(positions);
+    }
     let (soup, _) = read_soup(path)?;
     if let (Some(positions), true) = (&soup.positions, same_faces(&soup, mesh)) {
         let size = positions.iter().fold(0.0, |most: f64, p| p.distance(positions[0]).max(most));
@@ -49,10 +56,37 @@ pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError>
     surface.positions.ok_or_else(|| fail("it has no positions".into(), "use a file that has them"))
 }
 
+/// Positions of an `.npz` file that has no faces, as a frame of a film: one for each vertex, in the program's own order. `None`
+/// for all other files.
+fn alone(path: &Path, mesh: &Mesh) -> Result<Option<Vec<DVec3>>, MeshError> {
+    if FileFormat::of(path) != Some(FileFormat::Npz) {
+        return Ok(None);
+    }
+    let arrays = Arrays::read(&read_bytes(path)?).map_err(|problem| problem.in_file(path))?;
+    let (None, Some(positions)) = (arrays.faces, arrays.positions) else { return Ok(None) };
+    let [own, of_file] = [mesh.vertex_count(), mesh.file_vertex_count()];
+    let reason = match positions.len() {
+        count if count != own => format!("it has {count} positions, the mesh has {own} vertices"),
+        _ if own != of_file && !arrays.is_frame => {
+            format!("it has no `faces` to say whether its {own} rows are the {of_file} vertices of the mesh file")
+        }
+        _ => {
+            return match first_out_of_reach(&positions) {
+                Some((v, place)) => {
+                    let reason = format!("vertex {v} is at {place:?}, which is too far away");
+                    Err(Problem::new(reason, "use another unit").in_file(path))
+                }
+                None => Ok(Some(positions)),
+            };
+        }
+    };
+    Err(Problem::new(reason, "take the frame of a film of this mesh, or add `faces`").in_file(path))
+}
+
 /// Whether a file has the polygons of a mesh in the same order, by the numbers of the file that the mesh comes from. How
 /// polygons were cut does not matter, nor which way round they go.
-fn same_faces(soup: &Soup, mesh: &Mesh) -> bool {
-    let count = soup.positions.as_ref().map_or(0, Vec::len);
+pub(super) fn same_faces(soup: &Soup, mesh: &Mesh) -> bool {
+    let count = soup.vertex_count;
     let mut named = Vec::with_capacity(soup.triangles.len());
     for face in &soup.triangles {
         let [a, b, c] = face.map(|v| mesh.vertex_of_file(v as usize).ok().filter(|_| (v as usize) < count));

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use super::edges::EdgeNumbers;
+
 /// What a file says, before any of it is checked against the rest.
 #[derive(Default)]
 pub(super) struct Soup {
@@ -13,6 +15,14 @@ pub(super) struct Soup {
     pub lines: Vec<usize>,
     /// Per triangle the polygon of the file that it was cut from; empty where the file has triangles only.
     pub polygons: Vec<u32>,
+    /// What x, y and z of each vertex mean, where it is not known whether they are positions.
+    pub coordinates: Option<Vec<DVec3>>,
+    /// Lengths that the file decrees, all above 0 where they are used.
+    pub lengths: Option<EdgeNumbers>,
+    /// Bending angles that the file decrees, in radians.
+    pub angles: Option<EdgeNumbers>,
+    /// Whether edges are called mountains or valleys.
+    pub has_creases: bool,
     /// What the reader left out or changed, in sentences.
     pub notes: Vec<String>,
 }

@@ -27,12 +27,16 @@ impl Soup {
                     (Some(Weld::None), _) => None,
                     (Some(Weld::Within(distance)), _) => Some(distance),
                     (None, FileFormat::Stl) => Some(small_distance(&self.triangles, positions)),
+                    // Sheets that are folded lie upon each other, and arrays say which vertices are one.
+                    (None, FileFormat::Fold | FileFormat::Npz | FileFormat::Npy) => None,
                     (None | Some(Weld::Exact), _) => Some(0.0),
                 };
                 self.welded(format, positions, tolerance, &mut notes)?
             }
         };
-        let Repaired { mesh, vertex_map, repairs, .. } = repaired;
+        let Repaired { mesh, vertex_map, repairs, input_vertices } = repaired;
+        let coordinates = self.coordinates.as_ref().filter(|all| positions.is_none() && all.len() == self.vertex_count);
+        let coordinates = coordinates.map(|all| input_vertices.iter().map(|&v| all[v]).collect());
         notes.extend(repairs);
         let faces = (0..self.triangles.len()).map(|f| self.polygon(f) as u32).collect();
         let meant = match format {
@@ -40,7 +44,7 @@ impl Soup {
             _ => vertex_map,
         };
         let mesh = mesh.numbered(Numbering::new(meant, faces));
-        Ok(Surface { mesh, positions, coordinates: None, edge_lengths: None, repairs: notes })
+        Ok(Surface { mesh, positions, coordinates, edge_lengths: None, repairs: notes })
     }
 
     /// The mesh with its seams welded, and positions of its vertices.

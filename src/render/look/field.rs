@@ -2,13 +2,11 @@
 
 use crate::immersion::{FieldName, FieldValues};
 
-/// Values of a quantity, with a name and a unit for legends and layers.
+/// Values of a quantity, with a name for layers, in the unit that files have them in.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     /// For layers of files, as in `length_error`.
     pub name: String,
-    /// Written behind numbers, such as `%` or `°`; empty for pure numbers.
-    pub unit: &'static str,
     /// The values.
     pub values: FieldValues,
     /// Values that differ by a period mean the same, as angles do.
@@ -18,8 +16,7 @@ pub struct Field {
 impl Field {
     /// A field of a frame.
     pub fn new(field: FieldName, values: FieldValues) -> Field {
-        let [_, unit] = description(field);
-        Field { name: field.name().to_owned(), unit, values, period: None }
+        Field { name: field.name().to_owned(), values, period: None }
     }
 
     /// Values at the corners of a triangle of the scenery. Corners of a periodic field are within half a
@@ -44,15 +41,27 @@ impl Field {
     }
 }
 
-/// Words for a legend, and unit.
-pub fn description(field: FieldName) -> [&'static str; 2] {
-    match field {
-        FieldName::LengthError => ["length error", "%"],
-        FieldName::GaussianCurvature => ["Gaussian curvature", ""],
-        FieldName::MeanCurvature => ["mean curvature", ""],
-        FieldName::ConformalFactor => ["log conformal factor", ""],
-        FieldName::EnergyDensity => ["energy density", ""],
-        FieldName::BendingAngle => ["bending angle", "°"],
-        FieldName::Generators => ["generator", ""],
-    }
+/// How the values of a field are told to people.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wording {
+    /// Over a legend.
+    pub title: &'static str,
+    /// Written behind numbers, such as `%` or `°`; empty for pure numbers.
+    pub unit: &'static str,
+    /// So many of this unit are one of the values: people read per cent, files have ratios.
+    pub factor: f64,
+}
+
+/// How the values of a field are told to people.
+pub fn wording(field: FieldName) -> Wording {
+    let (title, unit, factor) = match field {
+        FieldName::LengthError => ("length error", "%", 100.0),
+        FieldName::GaussianCurvature => ("Gaussian curvature", "", 1.0),
+        FieldName::MeanCurvature => ("mean curvature", "", 1.0),
+        FieldName::ConformalFactor => ("log conformal factor", "", 1.0),
+        FieldName::EnergyDensity => ("energy density", "", 1.0),
+        FieldName::BendingAngle => ("bending angle", "°", 1.0),
+        FieldName::Generators => ("generator", "", 1.0),
+    };
+    Wording { title, unit, factor }
 }

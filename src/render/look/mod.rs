@@ -16,7 +16,7 @@ mod spread;
 pub use appearance::{Look, Paint};
 pub use color::{linear_from_srgb, srgb_bytes, srgb_words, tone_mapped};
 pub use color_map::ColorMap;
-pub use field::{Field, description};
+pub use field::{Field, Wording, wording};
 pub use light::{Light, Lights};
 pub use lines::Lines;
 pub use matcap::Matcap;

@@ -47,7 +47,9 @@ impl FieldSpread {
     /// last one.
     pub fn range(&self, field: FieldName) -> [f32; 2] {
         match field {
-            FieldName::LengthError | FieldName::BendingAngle => [0.0, self.bound(ROUNDING)],
+            // Where all lengths are exact the map ends at one per cent.
+            FieldName::LengthError => [0.0, self.bound_or(0.01 * ROUNDING, 0.01)],
+            FieldName::BendingAngle => [0.0, self.bound(ROUNDING)],
             FieldName::EnergyDensity => [0.0, self.bound(ROUNDING * ROUNDING)],
             FieldName::ConformalFactor => [-self.bound(ROUNDING), self.bound(ROUNDING)],
             // Curvatures are small in small units; that of what is flat is 0.
@@ -61,6 +63,11 @@ impl FieldSpread {
     /// The first of 1, 1.2, 1.5, 2, … times a power of ten that is not below most absolute values; 1 if all are less than
     /// the least one that means anything.
     fn bound(&self, least: f32) -> f32 {
+        self.bound_or(least, 1.0)
+    }
+
+    /// The same, with another number in place of 1.
+    fn bound_or(&self, least: f32, otherwise: f32) -> f32 {
         let wanted = (self.finite as f64 * SHOWN).ceil() as u64;
         let mut below = 0;
         let bin = self.counts.iter().position(|count| {
@@ -70,7 +77,7 @@ impl FieldSpread {
         let greatest = self.extremes().map_or(0.0, |[least, greatest]| greatest.max(-least));
         // Everything in the bin is below the next one.
         let bound = bin.map_or(0.0, |bin| f32::from_bits((bin as u32 + 1) << 16)).min(greatest);
-        if bound < least { 1.0 } else { read_well_above(f64::from(bound)) as f32 }
+        if bound < least { otherwise } else { read_well_above(f64::from(bound)) as f32 }
     }
 }
 

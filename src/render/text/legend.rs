@@ -11,7 +11,10 @@ use super::{
 };
 use crate::{
     immersion::FieldName,
-    render::{ColorMap, look::description},
+    render::{
+        ColorMap,
+        look::{Wording, wording},
+    },
 };
 
 /// A bar of colours with numbers, or, for the categorical map, a patch for each number.
@@ -23,7 +26,7 @@ pub struct Legend {
     pub unit: String,
     /// The colours.
     pub map: ColorMap,
-    /// Values at the ends of the map; the categorical one has patches for 1 up to the second of them.
+    /// Values at the ends of the map, in that unit; the categorical one has patches for 1 up to the second of them.
     pub range: [f32; 2],
     /// Whether there are values below and above, which have the colours of the ends.
     pub beyond: [bool; 2],
@@ -39,13 +42,15 @@ const MOST_PATCHES: f32 = 64.0;
 const HAIRLINE: f32 = 0.4;
 
 impl Legend {
-    /// For a field in these colours; `extremes` are its least and greatest value.
+    /// For a field in these colours; `range` are the values at the ends of the map, `extremes` the least and the greatest
+    /// one, as the field has them. A legend says them as people read them, a length error in per cent.
     pub fn new(field: FieldName, map: ColorMap, range: [f32; 2], extremes: Option<[f32; 2]>) -> Legend {
-        let [title, unit] = description(field);
+        let Wording { title, unit, factor } = wording(field);
         // What differs by less than a ten thousandth of the range is not beyond it.
         let slack = 1e-4 * (range[1] - range[0]);
         let beyond =
             extremes.map_or([false; 2], |[least, greatest]| [least < range[0] - slack, greatest > range[1] + slack]);
+        let range = range.map(|value| (factor * f64::from(value)) as f32);
         Legend { title: title.to_owned(), unit: unit.to_owned(), map, range, beyond }
     }
 

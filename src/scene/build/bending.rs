@@ -1,13 +1,26 @@
 //! `[bending]` as target bending angles.
 
+use std::path::Path;
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use crate::immersion::{TargetBending, bending_angles};
-use crate::mesh::{Surface, read_positions, select_edges};
-use crate::scene::{BendingFrom, Scene, SceneError};
-use crate::timeline::Parameters;
+use crate::mesh::{Mesh, MeshError, Surface, read_bending_angles, read_positions, select_edges};
+use crate::scene::{BendingFrom, BendingSection, Scene, SceneError};
+use crate::timeline::{Ease, Extrapolation, Keyframes, Parameters};
+
+/// The angles that a file decrees, or those of its positions, |E|; none where the file says none.
+fn angles_of_file(path: &Path, mesh: &Mesh) -> Result<Vec<Option<f64>>, MeshError> {
+    match read_bending_angles(path, mesh)? {
+        Some(angles) => Ok(angles),
+        None => Ok(known(bending_angles(mesh, &read_positions(path, mesh)?))),
+    }
+}
+
+fn known(angles: Vec<f64>) -> Vec<Option<f64>> {
+    angles.into_iter().map(Some).collect()
+}
 
 impl Scene {
     /// The target angles of a surface; `start` is what frames start from, |V|.
@@ -20,30 +33,64 @@ impl Scene {
         let Some(section) = &self.bending else { return Ok(None) };
         let (mesh, positions) = (&surface.mesh, surface.positions.as_deref());
         let angles_of = |shape: Option<&[DVec3]>| match shape {
-            Some(positions) => Ok(bending_angles(mesh, positions)),
+            Some(positions) => Ok(known(bending_angles(mesh, positions))),
             None => Err(self.complain(
                 "bending.from",
                 "bending angles are to come from positions, but the mesh has none",
                 "use a mesh that has them, or a `file`",
             )),
         };
+        // Those that the file of the mesh decrees, or those of its positions.
+        let of_mesh = || match self.mesh.file() {
+            Some(path) => match read_bending_angles(&self.resolve(path), mesh) {
+                Ok(Some(angles)) => Ok(angles),
+                Ok(None) => angles_of(positions),
+                Err(error) => Err(self.complain_about("bending.from", &error)),
+            },
+            None => angles_of(positions),
+        };
         let angles = match &section.from {
             None => None,
-            Some(BendingFrom::Mesh) => Some(angles_of(positions)?),
+            Some(BendingFrom::Mesh) => Some(of_mesh()?),
             Some(BendingFrom::Start) => Some(angles_of(start)?),
             // A reflection keeps the surface's orientation and turns every fold around.
-            Some(BendingFrom::Mirror) => Some(angles_of(positions)?.into_iter().map(|angle| -angle).collect()),
+            Some(BendingFrom::Mirror) => Some(of_mesh()?.into_iter().map(|angle| Some(-angle?)).collect()),
             Some(BendingFrom::File(path)) => {
-                let positions = read_positions(&self.resolve(path), mesh)
-                    .map_err(|error| self.complain_about("bending.file", &error))?;
-                Some(bending_angles(mesh, &positions))
+                let angles = angles_of_file(&self.resolve(path), mesh);
+                Some(angles.map_err(|error| self.complain_about("bending.file", &error))?)
+            }
+            Some(BendingFrom::Files(files)) => {
+                let (times, paths) = self.keyframe_files("bending", files, mesh)?;
+                let angles = paths.iter().map(|path| angles_of_file(path, mesh)).collect::<Result<_, _>>();
+                let angles = angles.map_err(|error| self.complain_about("bending.files", &error))?;
+                let keys = Keyframes::new(times, angles, Ease::Linear, Extrapolation::Hold);
+                let keys = keys.map_err(|error| self.complain_about("bending.files", &error))?;
+                let amount = self.number("bending.amount", &section.amount, parameters)?;
+                return self.with_regions(
+                    TargetBending::of_keyframes(mesh, keys, amount),
+                    section,
+                    surface,
+                    parameters,
+                );
             }
         };
         let amount = self.number("bending.amount", &section.amount, parameters)?;
-        let mut bending = match angles {
-            Some(angles) => TargetBending::of_shape(mesh, angles, amount),
+        let bending = match angles {
+            Some(angles) => TargetBending::of_keyframes(mesh, Keyframes::constant(angles), amount),
             None => TargetBending::flat(mesh),
         };
+        self.with_regions(bending, section, surface, parameters)
+    }
+
+    /// With the angles of the regions in place of what held before.
+    fn with_regions(
+        &self,
+        mut bending: TargetBending,
+        section: &BendingSection,
+        surface: &Surface,
+        parameters: &Arc<Parameters>,
+    ) -> Result<Option<TargetBending>, SceneError> {
+        let mesh = &surface.mesh;
         for (k, region) in section.regions.iter().enumerate() {
             let key = format!("bending.region[{k}]");
             let edges = select_edges(&region.edges, mesh, surface.places())

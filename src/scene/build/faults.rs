@@ -48,6 +48,7 @@ impl Scene {
 
     fn metric_key(&self, error: &NoMetric) -> String {
         match error.part {
+            MetricPart::Lengths if self.metric.files.is_some() => "metric.files".into(),
             MetricPart::Lengths if self.metric.keys.is_empty() => "metric".into(),
             MetricPart::Lengths => "metric.key".into(),
             MetricPart::Change(number) => format!("metric.change[{number}]"),

@@ -1,11 +1,22 @@
 //! `[metric]` as edge lengths over time.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::mesh::{Surface, read_edge_lengths, read_positions, read_vertex_numbers, select_vertices};
+use crate::mesh::{
+    Mesh, MeshError, Surface, read_edge_lengths, read_lengths, read_positions, read_vertex_numbers, select_vertices,
+};
 use crate::metric::{Change, Lengths, MetricError, MetricProgram, Region, RicciTarget, lengths_of_positions};
 use crate::scene::{ChangeKind, LengthSource, MetricChangeSection, RicciSection, Scene, SceneError};
 use crate::timeline::{Keyframes, Parameters};
+
+/// The lengths that a file decrees, or those of its positions.
+fn lengths_of_file(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError> {
+    match read_lengths(path, mesh)? {
+        Some(lengths) => Ok(lengths),
+        None => Ok(lengths_of_positions(mesh, &read_positions(path, mesh)?)),
+    }
+}
 
 impl Scene {
     pub(super) fn metric_program(
@@ -14,7 +25,15 @@ impl Scene {
         parameters: &Arc<Parameters>,
     ) -> Result<MetricProgram, SceneError> {
         let section = &self.metric;
-        let mut program = if section.keys.is_empty() {
+        let mut program = if let Some(files) = &section.files {
+            let (times, paths) = self.keyframe_files("metric", files, &surface.mesh)?;
+            let fault = |error: MeshError| self.complain_about("metric.files", &error);
+            let lengths = |path: &PathBuf| lengths_of_file(path, &surface.mesh).map(Lengths::fixed).map_err(fault);
+            let values = paths.iter().map(lengths).collect::<Result<_, _>>()?;
+            let keys = Keyframes::new(times, values, section.ease, section.extrapolation);
+            let keys = keys.map_err(|error| self.complain_about("metric.files", &error))?;
+            MetricProgram::new(keys, section.interpolation)
+        } else if section.keys.is_empty() {
             MetricProgram::of(self.lengths("metric", &section.lengths, surface, parameters)?)
         } else {
             let (mut times, mut values) = (Vec::new(), Vec::new());
@@ -46,8 +65,8 @@ impl Scene {
             LengthSource::Csv(path) => read_edge_lengths(&self.resolve(path), mesh)
                 .map(Lengths::fixed)
                 .map_err(|error| self.complain_about(&format!("{key}.csv"), &error)),
-            LengthSource::File(path) => read_positions(&self.resolve(path), mesh)
-                .map(|positions| Lengths::fixed(lengths_of_positions(mesh, &positions)))
+            LengthSource::File(path) => lengths_of_file(&self.resolve(path), mesh)
+                .map(Lengths::fixed)
                 .map_err(|error| self.complain_about(&format!("{key}.file"), &error)),
             LengthSource::Positions(texts) => {
                 let key = format!("{key}.positions");

@@ -6,6 +6,7 @@ mod bending;
 mod camera;
 mod clock;
 mod faults;
+mod files;
 mod light;
 mod look;
 mod mesh;

@@ -115,7 +115,8 @@ pub struct ColorSection {
     pub field: FieldName,
     /// The map; left out, one that suits the field.
     pub map: Option<ColorMap>,
-    /// Values at the ends of the map; left out, those of the whole film.
+    /// Values at the ends of the map in the units of the field, a length error as a ratio; left out, those of the whole
+    /// film.
     pub range: Option<[f64; 2]>,
     /// Whether a legend is drawn.
     pub legend: bool,

@@ -7,7 +7,7 @@ use crate::mesh::shapes::Shape;
 /// `[mesh]`: a file or a generated shape.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeshSection {
-    /// `file = "…"`: OBJ, PLY, OFF or STL, by its ending.
+    /// `file = "…"`: OBJ, PLY, OFF, STL, FOLD or arrays of NumPy, by its ending.
     File(PathBuf),
     /// `shape = "…"` with that shape's parameters.
     Shape(Shape),

@@ -1,6 +1,6 @@
 //! `[metric]`: edge lengths, and how they change.
 
-use super::NumberSection;
+use super::{FilesSection, NumberSection};
 use crate::mesh::Selection;
 use crate::metric::Interpolation;
 use crate::timeline::{Ease, Extrapolation};
@@ -11,6 +11,8 @@ use std::path::PathBuf;
 pub struct MetricSection {
     /// Where the lengths come from if there are no keys.
     pub lengths: LengthSource,
+    /// `files = "pose*.obj"`: those of several files at their times, in place of keys.
+    pub files: Option<FilesSection>,
     /// `[[metric.key]]`: the metrics at some times.
     pub keys: Vec<MetricKeySection>,
     /// What is interpolated between keys.
@@ -33,7 +35,7 @@ pub enum LengthSource {
     Uniform(f64),
     /// `csv = "…"`: lines `u,v,length`, every edge once.
     Csv(PathBuf),
-    /// `file = "…"`: the lengths of another mesh with the same connectivity.
+    /// `file = "…"`: the lengths of another mesh with the same connectivity, or of arrays.
     File(PathBuf),
     /// `positions = ["…", "…", "…"]`: the lengths of the mesh with its vertices moved to x, y and z by these
     /// expressions in x, y, z of the vertex, time `t` and the parameters.

@@ -9,6 +9,7 @@ use super::Source;
 use crate::mesh::Weld;
 
 mod checks;
+mod files;
 mod look;
 mod mesh;
 mod metric;
@@ -18,6 +19,7 @@ mod picture;
 mod time;
 
 pub use checks::{ChecksSection, FilmChecksSection};
+pub use files::FilesSection;
 pub use look::{
     ColorSection, CutSection, LineSection, LookSection, MaterialName, PatternAlong, PatternSection, TextSection,
 };

@@ -1,6 +1,6 @@
 //! Class, start, bending and pins.
 
-use super::NumberSection;
+use super::{FilesSection, NumberSection};
 use crate::evolve::Orientation;
 use crate::immersion::Noise;
 use crate::mesh::{EdgeSelection, Selection};
@@ -73,16 +73,18 @@ pub struct BendingSection {
 }
 
 /// Shapes that bending angles are taken from.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum BendingFrom {
-    /// `from = "mesh"`: the mesh's positions.
+    /// `from = "mesh"`: the fold angles of the mesh's file, if it is a FOLD file that has them, else those of its positions.
     Mesh,
     /// `from = "mirror"`: their mirror image.
     Mirror,
     /// `from = "start"`: the positions that frames start from.
     Start,
-    /// `file = "…"`: another mesh with the same connectivity.
+    /// `file = "…"`: another mesh with the same connectivity, or the fold angles of a FOLD file.
     File(PathBuf),
+    /// `files = "pose*.obj"`: several of them, at their times.
+    Files(FilesSection),
 }
 
 /// `[[bending.region]]`: one angle for several edges.

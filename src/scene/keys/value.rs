@@ -229,7 +229,7 @@ impl Value for bool {
 }
 
 /// Keys that name files.
-const PATHS: [&str; 3] = ["file", "csv", "matcap"];
+const PATHS: [&str; 4] = ["file", "files", "csv", "matcap"];
 
 /// A text as it stood in double quotes before backslashes were taken for escapes.
 fn with_backslashes(text: &str) -> String {

@@ -3,7 +3,7 @@
 use super::selection::optional_selection;
 use crate::mesh::EdgeSelection;
 use crate::scene::data::{BendingFrom, BendingRegionSection, BendingSection, NumberSection};
-use crate::scene::keys::Table;
+use crate::scene::keys::{Table, files};
 
 /// Target angles, if it says any, and the stiffness of bending.
 pub(super) fn bending(table: &mut Table) -> (Option<BendingSection>, Option<f64>) {
@@ -18,20 +18,25 @@ pub(super) fn bending(table: &mut Table) -> (Option<BendingSection>, Option<f64>
         .optional(0.001);
     let from = table.choice(
         "from",
-        "Angles of the mesh's positions, of their mirror image, or of what frames start from.",
+        "Angles of the mesh (the fold angles of its FOLD file, else those of its positions), of its mirror image, or of what \
+         frames start from.",
         &[("mesh", BendingFrom::Mesh), ("mirror", BendingFrom::Mirror), ("start", BendingFrom::Start)],
     );
-    let file =
-        table.key::<String>("file", "Angles of another mesh with the same connectivity.").optional("bent.obj".into());
-    table.only_one_of(&["from", "file"]);
+    let file = table
+        .key::<String>("file", "Angles of another mesh with the same connectivity, or the fold angles of a FOLD file.")
+        .optional("bent.obj".into());
+    let doc = "Angles of several meshes with the same connectivity, one after another: a list, or a pattern of names with * \
+               and ?, in the order of the numbers in them.";
+    let files = files(table, doc);
+    table.only_one_of(&["from", "file", "files"]);
     let section = BendingSection {
-        from: file.map(|file| BendingFrom::File(file.into())).or(from),
+        from: file.map(|file| BendingFrom::File(file.into())).or(files.map(BendingFrom::Files)).or(from),
         amount: table
             .key("amount", "What the angles are multiplied with: 1 that shape, 0 flat, -1 its mirror image.")
             .or(NumberSection::Constant(1.0)),
         regions: table.tables("region", "Edges with a constant angle of their own.", bending_region),
     };
-    let says_no_angles = table.has_none_of(&["from", "file", "region"]);
+    let says_no_angles = table.has_none_of(&["from", "file", "files", "region"]);
     if says_no_angles && (stiffness.is_none() || table.has("amount")) {
         table.complain(
             "from",

@@ -112,6 +112,9 @@ fn pattern(table: &mut Table) -> PatternSection {
     }
 }
 
+const RANGE_DOC: &str = "Values at the ends of the map, as files have them: a length error as a ratio (0.01 is 1 %), a bending \
+                         angle in degrees; left out, those of the whole film.";
+
 fn shown_field(table: &mut Table) -> ColorSection {
     let maps = [
         ("viridis", ColorMap::Viridis),
@@ -121,8 +124,7 @@ fn shown_field(table: &mut Table) -> ColorSection {
         ("cyclic", ColorMap::Cyclic),
         ("categorical", ColorMap::Categorical),
     ];
-    let range: Option<[f64; 2]> =
-        table.key("range", "Values at the ends of the map; left out, those of the whole film.").optional([0.0, 0.01]);
+    let range: Option<[f64; 2]> = table.key("range", RANGE_DOC).optional([0.0, 0.01]);
     if let Some([low, high]) = range
         && low >= high
     {

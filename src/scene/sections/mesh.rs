@@ -67,7 +67,8 @@ pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
 
 fn weld(table: &mut Table) -> Option<Weld> {
     let doc = "Whether boundary edges of a file that lie upon each other become one: \"exact\", a largest distance, or \
-               \"none\". Left out, \"exact\", and for STL files also within the rounding of single precision.";
+               \"none\". Left out, \"exact\", for STL files also within the rounding of single precision; FOLD files and \
+               arrays stay as they are.";
     table.key("weld", doc).at_least(0.0).optional(Weld::Exact)
 }
 

@@ -7,11 +7,14 @@ use crate::scene::data::{
     NumberSection, RicciSection,
 };
 use crate::scene::keys::Table;
-use crate::scene::keys::{ease, extrapolation};
+use crate::scene::keys::{ease, extrapolation, files};
 use crate::timeline::{Ease, Extrapolation};
 
 pub(super) fn metric(table: &mut Table) -> MetricSection {
     let lengths = length_source(table);
+    let doc = "Meshes with the same connectivity, or arrays, whose lengths are taken one after another: a list, or a \
+               pattern of names with * and ?, in the order of the numbers in them.";
+    let files = files(table, doc);
     let keys = table.tables("key", "The metric at a time; what is between is interpolated.", key);
     let interpolation = table.choice(
         "interpolation",
@@ -24,6 +27,7 @@ pub(super) fn metric(table: &mut Table) -> MetricSection {
     );
     let section = MetricSection {
         lengths,
+        files,
         interpolation: interpolation.unwrap_or_default(),
         ease: ease(table),
         extrapolation: extrapolation(table),
@@ -34,15 +38,18 @@ pub(super) fn metric(table: &mut Table) -> MetricSection {
         let reason = format!("keys are out of order: time {} comes after {}", b.time, a.time);
         table.complain("key", reason, "sort them, each time greater than the last");
     }
+    if !section.keys.is_empty() && section.files.is_some() {
+        table.complain("key", "[metric] has both `files` and [[metric.key]]", "put one of the files into each key");
+    }
     if !section.keys.is_empty() && section.lengths != LengthSource::OfMesh {
         let reason = "[metric] has both lengths and [[metric.key]], which exclude each other";
         table.complain("key", reason, "put the lengths into a [[metric.key]] of their own");
     }
-    if section.keys.is_empty() {
+    if section.keys.is_empty() && section.files.is_none() {
         for name in ["interpolation", "ease", "extrapolation"].into_iter().filter(|name| table.has(name)) {
             table.complain(
                 name,
-                format!("`{name}` is about [[metric.key]], and there is none"),
+                format!("`{name}` is about [[metric.key]] or `files`, and there is none"),
                 "remove it, or add keys",
             );
         }
@@ -50,20 +57,22 @@ pub(super) fn metric(table: &mut Table) -> MetricSection {
     section
 }
 
+const FILE_DOC: &str = "Another mesh with the same connectivity, whose lengths are taken: those that it decrees (FOLD, npz), else \
+                        those of its positions. Or an array: npy or npz with rows u, v, length, or a frame of a film.";
+
 fn length_source(table: &mut Table) -> LengthSource {
     let length = table.key::<f64>("length", "The same length for every edge.").above(0.0).optional(0.05);
     let csv =
         table.key::<String>("csv", "A file of lines `u,v,length`, every edge once.").optional("lengths.csv".into());
-    let file = table
-        .key::<String>("file", "Another mesh with the same connectivity, whose lengths are taken.")
-        .optional("other.obj".into());
+    let file = table.key::<String>("file", FILE_DOC).optional("other.obj".into());
     let doc = "Lengths of the mesh with its vertices moved: x, y and z as expressions in x, y, z of the vertex, `t` and \
                the parameters.";
     let positions = table.key::<[String; 3]>("positions", doc).optional(["2 * x", "y", "z"].map(str::to_owned));
     let doc = "An expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the length of the \
                mesh, time `t` and the parameters.";
     let formula = table.key::<String>("formula", doc).optional("length * (1 + 0.2 * z)".into());
-    table.only_one_of(&["length", "csv", "file", "positions", "formula"]);
+    // Of `files` only [metric] itself knows.
+    table.only_one_of(&["length", "csv", "file", "files", "positions", "formula"]);
     match (length, csv, file, positions, formula) {
         (Some(length), ..) => LengthSource::Uniform(length),
         (_, Some(csv), ..) => LengthSource::Csv(csv.into()),

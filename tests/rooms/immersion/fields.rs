@@ -11,7 +11,7 @@ use immerse::immersion::{
 use immerse::immersion::{FieldName, FieldValues};
 use immerse::mesh::{Mesh, Surface};
 use immerse::metric::{Metric, lengths_of_positions};
-use immerse::render::{Field, FieldSpread};
+use immerse::render::{ColorMap, Field, FieldSpread, Legend};
 use immerse::spin::SpinStructure;
 
 const STIFFNESS: [f64; 4] = [1.0, 1e-4, 1.0, 0.1];
@@ -93,10 +93,10 @@ fn icosahedron(radius: f64) -> (Mesh, Vec<DVec3>) {
 fn a_scaled_surface_has_the_scale_as_length_error() {
     let (mesh, positions) = surface(1, 1);
     let mut state = State::exact(&mesh, positions);
-    for (scale, percent) in [(1.0, 0.0), (1.01, 1.0), (0.75, 25.0)] {
+    for (scale, ratio) in [(1.0, 0.0), (1.01, 0.01), (0.75, 0.25)] {
         state.positions = state.positions.iter().map(|p| *p * scale).collect();
         let FieldValues::PerFace(errors) = state.field(&mesh, FieldName::LengthError) else { panic!("not per face") };
-        assert_all(&errors.iter().map(|&e| f64::from(e)).collect::<Vec<_>>(), percent, 1e-5);
+        assert_all(&errors.iter().map(|&e| f64::from(e)).collect::<Vec<_>>(), ratio, 1e-7);
         state.positions.iter_mut().for_each(|p| *p /= scale);
     }
     // One edge of a triangle of side 1 becomes 1.3: the root mean square over its three edges.
@@ -108,7 +108,7 @@ fn a_scaled_surface_has_the_scale_as_length_error() {
     let errors = Fields::new(std::sync::Arc::new(triangle.clone()), metric.clone(), STIFFNESS)
         .of(FieldName::LengthError, &input)
         .unwrap();
-    assert_all(&doubles(&errors), 30.0 / 3.0_f64.sqrt(), 1e-5);
+    assert_all(&doubles(&errors), 0.3 / 3.0_f64.sqrt(), 1e-7);
 }
 
 #[test]
@@ -295,6 +295,7 @@ fn ranges_leave_out_spikes_and_read_well() {
     assert_eq!(range(FieldName::ConformalFactor, &[0.1, -0.23, 0.0]), [-0.25, 0.25]);
     assert_eq!(range(FieldName::BendingAngle, &[36.0, 36.0]), [0.0, 40.0]);
     assert_eq!(range(FieldName::LengthError, &[0.3, f32::NAN, f32::INFINITY]), [0.0, 0.3]);
+    assert_eq!(range(FieldName::LengthError, &[1e-16; 3]), [0.0, 0.01], "one per cent where lengths are exact");
     assert_eq!(range(FieldName::EnergyDensity, &[0.0; 5]), [0.0, 1.0]);
     assert_eq!(range(FieldName::EnergyDensity, &[]), [0.0, 1.0]);
     assert_eq!(range(FieldName::Generators, &[0.0, 4.0, 1.0]), [0.0, 4.0]);
@@ -313,7 +314,14 @@ fn ranges_leave_out_spikes_and_read_well() {
 }
 
 #[test]
-fn fields_of_pictures_have_names_and_units() {
-    let field = Field::new(FieldName::LengthError, FieldValues::PerFace(vec![1.0]));
-    assert_eq!((field.name.as_str(), field.unit), ("length_error", "%"));
+fn files_have_ratios_and_legends_have_per_cent() {
+    let field = Field::new(FieldName::LengthError, FieldValues::PerFace(vec![0.01]));
+    assert_eq!((field.name.as_str(), field.values.all()), ("length_error", [0.01_f32].as_slice()));
+    let legend = |field, range| Legend::new(field, ColorMap::Viridis, range, None);
+    let error = legend(FieldName::LengthError, [0.0, 0.05]);
+    assert_eq!((error.title.as_str(), error.unit.as_str(), error.range), ("length error", "%", [0.0, 5.0]));
+    let angle = legend(FieldName::BendingAngle, [0.0, 30.0]);
+    assert_eq!((angle.unit.as_str(), angle.range), ("°", [0.0, 30.0]));
+    let density = legend(FieldName::EnergyDensity, [0.0, 30.0]);
+    assert_eq!((density.unit.as_str(), density.range), ("", [0.0, 30.0]));
 }

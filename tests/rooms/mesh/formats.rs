@@ -186,7 +186,7 @@ fn what_was_repaired_is_reported() {
 fn files_that_are_not_there_or_unknown_are_refused() {
     let error = read(&PathBuf::from("no/such/mesh.obj")).map(|_| ()).unwrap_err().to_string();
     assert!(error.contains("no/such/mesh.obj: cannot be read") && error.contains("check the path"), "{error}");
-    assert_refused("mesh.fbx", "x", &["known mesh format", ".obj, .ply, .off or .stl"]);
+    assert_refused("mesh.fbx", "x", &["known mesh format", ".obj, .ply, .off, .stl, .fold, .npz or .npy"]);
     for name in ["a.obj", "a.off", "a.ply", "a.stl"] {
         assert_refused(name, "", &[]);
     }

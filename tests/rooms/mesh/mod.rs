@@ -1,5 +1,7 @@
+mod arrays;
 mod compare_readers;
 mod faults;
+mod fold;
 mod formats;
 mod limits;
 mod numbering;

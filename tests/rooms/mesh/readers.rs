@@ -311,3 +311,51 @@ fn tables_of_vertices_as_spreadsheets_write_them() {
         assert_eq!(numbers.iter().map(|(v, x)| (v.0, *x)).collect::<Vec<_>>(), [(0, 10.5), (3, -2.0)], "{text}");
     }
 }
+
+/// A header is read, not skipped: whatever order it names, lengths are those of the edges, and what it does not name is refused.
+#[test]
+fn headers_say_which_column_is_which() {
+    let mesh = tetrahedron();
+    let lengths = |text: &str| read_edge_lengths(&file("a.csv", text).path, &mesh).map_err(|error| error.to_string());
+    let rows = [(0, 1, 3), (0, 2, 3), (0, 3, 4), (1, 2, 2), (1, 3, 4), (2, 3, 4)];
+    let table = |header: &str, row: fn(i32, i32, i32) -> String| {
+        rows.iter().fold(format!("{header}\n"), |text, &(u, v, l)| text + &row(u, v, l) + "\n")
+    };
+    let right = lengths(&table("u,v,length", |u, v, l| format!("{u},{v},{l}"))).unwrap();
+    for (header, row) in [
+        ("length,u,v", (|u, v, l| format!("{l},{u},{v}")) as fn(i32, i32, i32) -> String),
+        ("Length (mm); I; J", |u, v, l| format!("{l};{u};{v}")),
+        ("from\tlength\tto", |u, v, l| format!("{u}\t{l}\t{v}")),
+        ("v,u,l", |u, v, l| format!("{v},{u},{l}")),
+        ("\u{feff}# made by hand\r\nv0,v1,edge_length", |u, v, l| format!("{u},{v},{l} # mm\r")),
+        ("edge,source,target,length,kind", |u, v, l| format!("{},{u},{v},{l},x", 10 * u + v)),
+        ("\"start\" \"end\" \"len\"", |u, v, l| format!("{u} {v} {l}")),
+    ] {
+        assert_eq!(lengths(&table(header, row)).as_ref(), Ok(&right), "{header}");
+    }
+    let plain: fn(i32, i32, i32) -> String = |u, v, l| format!("{u},{v},{l}");
+    for (text, words) in [
+        (table("nan,0,1", plain), ["a.csv:1:", "vertex u `nan`"].as_slice()),
+        (table("x,y,z", plain), &["a.csv:1:", "the header `x,y,z` does not say", "u,v,length"]),
+        (table("u,v", plain), &["a.csv:1:", "does not say which column is which"]),
+        (table("u,v,length,length", plain), &["a.csv:1:", "does not say which column is which"]),
+        (table("u,v,i,j,length", plain), &["a.csv:1:", "does not say which column is which"]),
+        (table("u,v,length", |u, v, l| format!("{u},{v},{l},5")), &["a.csv:2:", "4 columns, and the header names 3"]),
+        (table("u,v,length", |u, v, l| format!("{},{},{l}", u + 1, v + 1)), &["a.csv:4:", "count from 0"]),
+        (table("u,v,length", |u, v, _| format!("{u},{v},nan")), &["a.csv:2:", "`nan` is not finite"]),
+        (table("u,v,length", |u, v, _| format!("{u},{v}")), &["a.csv:2:", "the length is missing"]),
+        (table("length,u,v", |u, v, l| format!("{l},{u},") + &v.to_string()[..0]), &["a.csv:2:", "v is missing"]),
+        (table("u,v,length", plain) + "1,0,5\n", &["a.csv:8:", "edge 1,0 has length 5 here and 3 on line 2"]),
+        (table("u,v,length\nu,v,length", plain), &["a.csv:2:", "vertex u `u`"]),
+    ] {
+        let message = lengths(&text).unwrap_err();
+        for word in words {
+            assert!(message.contains(word), "`{word}` is missing in: {message}");
+        }
+    }
+    let numbers = |text: &str| read_vertex_numbers(&file("a.csv", text).path, &mesh).map_err(|error| error.to_string());
+    let found = numbers("degrees,vertex,note\n10.5,0,a\n-2,3,b\n").unwrap();
+    assert_eq!(found.iter().map(|(v, x)| (v.0, *x)).collect::<Vec<_>>(), [(0, 10.5), (3, -2.0)]);
+    assert!(numbers("v,radians\n0,1\n").unwrap_err().contains("column `radians` is in radians"));
+    assert!(numbers("curvature\n0,1\n").unwrap_err().contains("does not say which column is which"));
+}

@@ -47,14 +47,14 @@ fn ring() -> Ring {
         positions: (0..(columns + 1) * rows).map(place).collect(),
         triangles: triangles.collect(),
         boundary: ends.collect(),
-        around: Field { name: "around".into(), unit: "", values: FieldValues::PerVertex(around), period: None },
+        around: Field { name: "around".into(), values: FieldValues::PerVertex(around), period: None },
     }
 }
 
 fn picture(name: LookName, size: [usize; 2]) -> Picture {
     let Ring { positions, triangles, boundary, around } = ring();
     let heights = positions.iter().map(|position| position.y as f32 + 0.5).collect();
-    let height = Field { name: "height".into(), unit: "", values: FieldValues::PerVertex(heights), period: None };
+    let height = Field { name: "height".into(), values: FieldValues::PerVertex(heights), period: None };
     let output = Output::new(size[0], size[1], 8).expect("a size");
     let view = View::default().with_direction(DVec3::new(0.5, 0.7, 1.0)).and_then(|view| view.with_up(DVec3::Y));
     let camera = Camera::framing(&view.expect("a view"), &Extent::of(&positions), &output).expect("a view");

@@ -185,7 +185,8 @@ fn nothing_is_drawn_of_nothing_and_outside() {
 }
 
 fn length_error(range: [f32; 2], greatest: f32) -> Legend {
-    Legend::new(FieldName::LengthError, ColorMap::Viridis, range, Some([0.0, greatest]))
+    let ratio = |percent: f32| percent / 100.0;
+    Legend::new(FieldName::LengthError, ColorMap::Viridis, range.map(ratio), Some([0.0, ratio(greatest)]))
 }
 
 fn with_legend(width: usize, height: usize, legend: Legend) -> Picture {

@@ -213,7 +213,6 @@ fn gaps_of_bands_are_left_out_column_by_column() {
     let model = Model::default().sheet([0.0, -4.0], [16.0, 8.0], [0.0, 5.0], true);
     let along = Field {
         name: "x".into(),
-        unit: "",
         values: FieldValues::PerVertex(model.positions.iter().map(|position| position.x as f32).collect()),
         period: None,
     };
@@ -240,7 +239,6 @@ fn bands_are_in_perspective() {
     let positions = [[-99.0, 0.0, 9.0], [99.0, 0.0, 9.0], [99.0, 0.0, -99.0], [-99.0, 0.0, -99.0]].map(DVec3::from);
     let along = Field {
         name: "distance".into(),
-        unit: "",
         values: FieldValues::PerVertex(positions.iter().map(|position| -position.z as f32).collect()),
         period: None,
     };
@@ -337,7 +335,6 @@ fn bands_too_narrow_to_be_told_apart_do_not_keep_edges_from_ending() {
     let model = Model::default().sheet([0.0, -4.0], [16.0, 8.0], [0.0, 5.0], true);
     let along = Field {
         name: "x".into(),
-        unit: "",
         values: FieldValues::PerVertex(model.positions.iter().map(|position| position.x as f32).collect()),
         period: None,
     };

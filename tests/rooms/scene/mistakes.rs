@@ -111,7 +111,11 @@ fn impossible_values() {
     one("[mesh]\nshape = 'annulus'\ninner_radius = ^3", "not less than `outer_radius`, which is 1", "between 0 and 1");
     one("[mesh]\nshape = 'torus'\nminor_radius = ^1", "not less than `major_radius`, which is 1", "between 0 and 1");
     one("[mesh]\nshape = 'flat_torus'\na = [1, 2]\nb = ^[2, 4]", "parallel", "a = [3, 0] and b = [0, 2.5]");
-    one("[mesh]\nfile = ^'a.blend'", "ends in `.blend`", "the endings are `obj`, `ply`, `off` and `stl`");
+    one(
+        "[mesh]\nfile = ^'a.blend'",
+        "ends in `.blend`",
+        "the endings are `obj`, `ply`, `off`, `stl`, `fold`, `npz` and `npy`",
+    );
     one("[spin]\nclass = ^'0a'", "one digit 0 or 1 per generator", "\"immersion\"");
     one("[checks]\nclass = ^'immersion'", "one digit 0 or 1 per generator", "class = \"01\"");
     one("[camera]\nup = ^[0, 0, 0]", "`up` is the zero vector", "up = [0, 1, 0]");
@@ -201,7 +205,11 @@ fn what_changes_with_time() {
     one(both, "both `curvature` and `region`", "remove one of them");
     let lengths = "[metric]\nlength = 1\nkey = ^[{ time = 0 }]";
     one(lengths, "[metric] has both lengths and [[metric.key]]", "put the lengths into a [[metric.key]]");
-    one("[metric]\nease = ^'in'", "`ease` is about [[metric.key]], and there is none", "remove it, or add keys");
+    one(
+        "[metric]\nease = ^'in'",
+        "`ease` is about [[metric.key]] or `files`, and there is none",
+        "remove it, or add keys",
+    );
     one("[metric]\ninterpolation = ^'squared'", "`interpolation` is about [[metric.key]]", "remove it, or add keys");
     one(
         "[start]\nformula = ^['x', 'y', 'z']",

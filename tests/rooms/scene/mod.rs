@@ -1,3 +1,4 @@
 mod mistakes;
 mod schema;
+mod sequences;
 mod valid;

@@ -1,5 +1,7 @@
 //! One file per format, each from bytes to what they say.
 
+pub(super) mod arrays;
+pub(super) mod fold;
 pub(super) mod obj;
 pub(super) mod off;
 pub(super) mod ply;

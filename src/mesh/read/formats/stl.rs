@@ -81,8 +81,7 @@ impl Merged {
             positions: Some(self.positions),
             triangles,
             lines,
-            polygons: Vec::new(),
-            notes: Vec::new(),
+            ..Soup::default()
         }
     }
 }

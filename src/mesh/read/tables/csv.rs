@@ -2,15 +2,18 @@
 
 use std::path::Path;
 
+use super::header::Columns;
 use super::table::Table;
+use crate::mesh::read::edges::EdgeFinder;
 use crate::mesh::read::problem::{Problem, read_bytes};
 use crate::mesh::{EdgeId, Mesh, MeshError, UnknownVertex, VertexId};
 
 /// Reads one length per edge, in edge order, from lines `u,v,length`.
 ///
 /// `u` and `v` are vertices by their numbers in the mesh file, counted from 0, in any order; of a welded vertex any of its
-/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, `#`
-/// starts a comment; columns may also be separated by `;` (then a decimal comma is understood), tabs or blanks.
+/// numbers. Every edge is given once; giving it again with the same length is allowed. The first line may be a header, which
+/// says the order of columns, `u,v,length` by these or other usual names; what else it names is left out. `#` starts a
+/// comment; columns may also be separated by `;` (then a decimal comma is understood), tabs or blanks.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no edge, contradicts an earlier one or
@@ -20,10 +23,9 @@ pub fn read_edge_lengths(path: &Path, mesh: &Mesh) -> Result<Vec<f64>, MeshError
 }
 
 fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
-    let mut edges: Vec<([VertexId; 2], EdgeId)> = mesh.edges().map(|e| (sorted(mesh.edge_vertices(e)), e)).collect();
-    edges.sort_unstable();
-    let mut given: Vec<Option<(f64, usize)>> = vec![None; edges.len()];
-    Table::decode(bytes, "write lines `u,v,length`")?.rows(|marks, row| {
+    let finder = EdgeFinder::new(mesh);
+    let mut given: Vec<Option<(f64, usize)>> = vec![None; mesh.edge_count()];
+    Table::decode(bytes, "write lines `u,v,length`")?.rows(&Columns::Edges, |marks, row| {
         let line = row.line;
         let u = row.index(0, "vertex u")?;
         let v = row.index(1, "vertex v")?;
@@ -48,9 +50,8 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
         if [u, v].iter().any(|&end| end as usize >= mesh.file_vertex_count()) {
             return Err(no_edge());
         }
-        let ends = sorted([vertex(u, line, mesh)?, vertex(v, line, mesh)?]);
-        let found = edges.binary_search_by_key(&ends, |edge| edge.0).map_err(|_| no_edge())?;
-        match &mut given[edges[found].1.index()] {
+        let edge = finder.between([vertex(u, line, mesh)?, vertex(v, line, mesh)?]).ok_or_else(no_edge)?;
+        match &mut given[edge.index()] {
             Some((earlier, first)) if *earlier != length => {
                 return Err(Problem::at(
                     line,
@@ -76,7 +77,7 @@ fn parse(bytes: &[u8], mesh: &Mesh) -> Result<Vec<f64>, Problem> {
 /// Reads numbers of some vertices, in order of vertices, from lines `v,number`.
 ///
 /// `v` is the number of the vertex in the mesh file, counted from 0; no vertex is given twice, but a welded one by several of
-/// its numbers if they agree. Lines are as in [`read_edge_lengths`].
+/// its numbers if they agree. Lines are as in [`read_edge_lengths`]; a header names `v` and `degrees`.
 ///
 /// # Errors
 /// [`MeshError::FileLine`] for a line that is malformed, names no vertex or one that was named before;
@@ -87,7 +88,7 @@ pub fn read_vertex_numbers(path: &Path, mesh: &Mesh) -> Result<Vec<(VertexId, f6
 
 fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)>, Problem> {
     let mut given: Vec<Option<(f64, usize, u32)>> = vec![None; mesh.vertex_count()];
-    Table::decode(bytes, "write lines `v,number`")?.rows(|marks, row| {
+    Table::decode(bytes, "write lines `v,number`")?.rows(&Columns::Vertices, |marks, row| {
         let line = row.line;
         let number = row.index(0, "the vertex")?;
         let value = row.number(1, "the number", marks)?;
@@ -116,10 +117,6 @@ fn parse_vertex_numbers(bytes: &[u8], mesh: &Mesh) -> Result<Vec<(VertexId, f64)
         return Err(Problem::new("it has no lines", "write lines `v,number`"));
     }
     Ok(numbers)
-}
-
-fn sorted([u, v]: [VertexId; 2]) -> [VertexId; 2] {
-    [u.min(v), u.max(v)]
 }
 
 /// The vertex that has a number in the file.

@@ -1,7 +1,10 @@
 //! Tables of numbers, with columns separated as spreadsheets and programs do: `,`, `;`, tabs or blanks.
+//!
+//! Readers of CSV take one separator for a whole file, no blanks for one, and no comment behind a row.
 
 use std::borrow::Cow;
 
+use super::header::Columns;
 use crate::mesh::read::problem::Problem;
 use crate::mesh::read::words::{self, lines, number, parse_number};
 use crate::text::decode;
@@ -32,16 +35,32 @@ impl Table {
         Ok(Table { text: text.text.into_owned(), marks: [None; 2] })
     }
 
-    /// Calls `take` with every row.
-    pub fn rows(mut self, mut take: impl FnMut(&mut Marks, Row) -> Result<(), Problem>) -> Result<(), Problem> {
+    /// Calls `take` with every row, its columns in the usual order. A first row without any number is a header, which says
+    /// where they stand; columns that are not asked for are left out.
+    pub fn rows(
+        mut self,
+        columns: &Columns,
+        mut take: impl FnMut(&mut Marks, Row) -> Result<(), Problem>,
+    ) -> Result<(), Problem> {
         // Excel writes `sep=;` before everything else.
         let said = |content: &str| content.get(..4).is_some_and(|word| word.eq_ignore_ascii_case("sep="));
         let rows = lines(&self.text).enumerate().skip_while(|(n, (_, content))| *n == 0 && said(content));
+        let mut header: Option<(usize, Vec<usize>)> = None;
         for (n, (_, (line, content))) in rows.enumerate() {
-            let row = Row::split(content, line);
-            if n > 0 || !row.is_header() {
-                take(&mut self.marks, row)?;
+            let mut row = Row::split(content, line);
+            if n == 0 && row.is_header() {
+                header = Some((row.fields.len(), columns.places(&row.fields, line)?));
+                continue;
             }
+            if let Some((named, places)) = &header {
+                if row.fields.len() > *named {
+                    let reason = format!("there are {} columns, and the header names {named}", row.fields.len());
+                    let remedy = "write a number for each name, and decimals with a point";
+                    return Err(Problem::at(line, reason, remedy));
+                }
+                row.fields = places.iter().map_while(|&place| row.fields.get(place).copied()).collect();
+            }
+            take(&mut self.marks, row)?;
         }
         Ok(())
     }
@@ -70,9 +89,9 @@ impl<'a> Row<'a> {
         Row { line, separator, fields }
     }
 
-    /// Names begin with what no number begins with.
+    /// Whether there is no number in it. What is no number among numbers is a mistake, and `nan` is no name.
     fn is_header(&self) -> bool {
-        self.fields.first().is_none_or(|first| !first.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c)))
+        !self.fields.iter().any(|field| field.is_empty() || parse_number(&self.with_point(field)).is_some())
     }
 
     pub fn columns(&self) -> usize {

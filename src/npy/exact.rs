@@ -7,7 +7,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
 /// A number as NumPy stores it, least significant byte first.
-pub(in crate::film) trait Element: Sized {
+pub(crate) trait Element: Sized {
     /// NumPy's name of the type.
     const TYPE: &'static str;
     fn put(self, bytes: &mut Vec<u8>);
@@ -50,7 +50,7 @@ fn header<T: Element>(shape: &[u64]) -> Vec<u8> {
 }
 
 /// Arrays on their way into a file.
-pub(in crate::film) struct ArrayWriter(ZipWriter<Cursor<Vec<u8>>>);
+pub(crate) struct ArrayWriter(ZipWriter<Cursor<Vec<u8>>>);
 
 impl ArrayWriter {
     pub fn new() -> Self {
@@ -81,7 +81,7 @@ impl ArrayWriter {
 }
 
 /// Arrays of a file.
-pub(super) struct ArrayReader<'b>(ZipArchive<Cursor<&'b [u8]>>);
+pub(crate) struct ArrayReader<'b>(ZipArchive<Cursor<&'b [u8]>>);
 
 impl<'b> ArrayReader<'b> {
     pub fn new(bytes: &'b [u8]) -> Result<Self, String> {
