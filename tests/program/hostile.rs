@@ -234,8 +234,8 @@ fn meshes() {
             "a face of 10^5 corners in FOLD",
             "mesh.fold",
             format!(
-                "{{\"vertices_coords\": [[0,0],[1,0],[0,1]], \"faces_vertices\": [[0{}]]}}",
-                ", 1, 2".repeat(50_000)
+                "{{\"vertices_coords\": [[0,0],[1,0],[0,1]], \"faces_vertices\": [[0, 1, 2{}]]}}",
+                ", 0, 1, 2".repeat(30_000)
             )
             .into_bytes(),
             &["mesh.fold"],
