@@ -97,7 +97,15 @@ impl EdgeNumbers {
                     let (here, there) = (self.place(k), self.place(first));
                     let what = self.what;
                     let reason = format!("edge {u},{v} has {what} {value} in {here} and {other} in {there}");
-                    return Err(Problem::new(reason, format!("give every edge one {what}")));
+                    let remedy = match self.listed {
+                        Listed::Halfedges => {
+                            "column k is the side from corner k to corner k + 1; of sides opposite to corner k write \
+                             numpy.roll(lengths, 1, axis=1)"
+                                .to_owned()
+                        }
+                        _ => format!("give every edge one {what}"),
+                    };
+                    return Err(Problem::new(reason, remedy));
                 }
                 Some(_) => {}
                 None => given[edge.index()] = Some((value, k)),

@@ -163,7 +163,7 @@ fn what_may_be_misread_is_refused() {
         (
             "halves",
             npz(&[faces(), ("halfedge_lengths", table(&halves))]),
-            &["edge 1,2 has length 1.1 in face 2, column 0 and 1 in face 0, column 1"],
+            &["edge 1,2 has length 1.1 in face 2, column 0 and 1 in face 0, column 1", "numpy.roll"],
         ),
         ("halves of others", npz(&[faces(), ("halfedge_lengths", table(&LENGTHS))]), &["is 6 x 3, it must be 4 x 3"]),
         ("a column", npz(&[faces(), ("edge_lengths", list(&[1.0; 6]))]), &["nothing says which edges", "add `edges`"]),
