@@ -128,8 +128,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
             session.log.finish();
             clear_leftovers(&folder, Some(&scene.output), &session.log)?;
-            writeln!(out, "{}", sentence("pictures made", summary, &folder))?;
-            export_as_asked(&scene, &folder, *restart, session, out)
+            Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work, restart } => {
             gallery(scenes, folder, work, *restart, session, out)

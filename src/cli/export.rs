@@ -28,7 +28,9 @@ pub(super) fn export(request: &Request, session: &Session, out: &mut impl Write)
         None => (1..=count).collect(),
     };
     session.hold(request.folder)?;
-    if let Some(to) = request.to {
+    // Nobody waits for himself.
+    let same = |a: &Path, b: &Path| a == b || a.canonicalize().is_ok_and(|a| b.canonicalize().is_ok_and(|b| a == b));
+    if let Some(to) = request.to.filter(|to| !same(to, request.folder)) {
         session.hold(to)?;
     }
     write(request, &frames, session, out)

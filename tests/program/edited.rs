@@ -13,7 +13,8 @@ const SCENE: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n\
                      [[metric.key]]\ntime = 0\n[[metric.key]]\ntime = 1\npositions = ['1.2*x', 'y', 'z']\n\
                      [[metric.key]]\ntime = 2\npositions = ['1.5*x', 'y', 'z']\n\
                      [clock]\nframes = 5\nend = 2\n[camera]\nframed = 'first'\n\
-                     [output]\nsize = [48, 36]\nsamples = 1\nformat = ['png', 'exr']\nanimation = ['gif', 'apng']\nsheet = 3\n";
+                     [output]\nsize = [48, 36]\nsamples = 1\nformat = ['png', 'exr']\nanimation = ['gif', 'apng']\nsheet = 3\n\
+                     export = ['usd', 'obj', 'gltf']\n";
 
 struct Film(TempDir);
 

@@ -14,6 +14,7 @@ mod classes;
 mod command_line;
 mod curves;
 mod edited;
+mod exported;
 mod frame_range;
 mod frame_rates;
 mod hostile;

@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::whole_file;
 
 /// The text of the scene, in the folder of its film.
-const SCENE: &str = "scene.toml";
+const SCENE: &str = ".immerse/scene.toml";
 
 /// `frames/000001.json`: written after the state, so that its presence says that the frame is done.
 #[derive(Serialize, Deserialize)]
@@ -149,29 +149,27 @@ impl FilmFolder {
         &self.manifest
     }
 
-    /// Keeps the text of the scene beside the film, for its camera, lights and colours.
+    /// Keeps the text of the scene with the film, for its camera, lights and colours. A scene that was made in code has none.
     ///
     /// # Errors
     /// [`DiskError::Io`]
     pub fn keep_scene(&self, scene: &Scene) -> Result<(), DiskError> {
-        let text = scene.source.text();
-        if text.is_empty() { Ok(()) } else { write_unless_same(&self.folder.join(SCENE), text.as_bytes()) }
+        let (path, text) = (self.folder.join(SCENE), scene.source.text());
+        if text.is_empty() {
+            return Ok(());
+        }
+        path.parent().map_or(Ok(()), create_folder)?;
+        write_unless_same(&path, text.as_bytes())
     }
 
-    /// The scene that was kept; `None` of a film that was made without a text.
+    /// The scene that was kept; `None` if there is none, or none that this version of the program reads. Files that it
+    /// names need not be there.
     ///
     /// # Errors
-    /// [`DiskError::Io`] if it cannot be read, [`DiskError::Damaged`] if it is no scene.
+    /// [`DiskError::Io`] if it cannot be read.
     pub fn scene(&self) -> Result<Option<Scene>, DiskError> {
-        let path = self.folder.join(SCENE);
-        let Some(bytes) = read(&path)? else { return Ok(None) };
-        let text = String::from_utf8_lossy(&bytes);
-        let scene = Scene::parse(&text, &self.manifest.scene, &self.folder);
-        scene.map(Some).map_err(|_| DiskError::Damaged {
-            path,
-            reason: "it is no scene that this program reads".into(),
-            remedy: "run the scene again, which copies it there",
-        })
+        let text = read(&self.folder.join(SCENE))?.and_then(|bytes| String::from_utf8(bytes).ok());
+        Ok(text.and_then(|text| Scene::parse(&text, &self.manifest.scene, &self.folder).ok()))
     }
 
     /// The surface of the film.

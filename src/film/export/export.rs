@@ -63,14 +63,13 @@ pub fn export(
 
 /// The scene of the film, as far as exports want it: camera, lights and colours.
 fn scene_of(film: &FilmFolder, watch: &mut Watch) -> Result<Scene, FilmError> {
-    let mut scene = match film.scene() {
-        Ok(Some(scene)) => scene,
-        Ok(None) => {
-            let reason = "it keeps no scene.toml, so that camera, lights and colours are those of no scene";
-            watch(Event::Note(format!("{}: {reason}; run the scene again to have them", film.folder().display())));
+    let mut scene = match film.scene()? {
+        Some(scene) => scene,
+        None => {
+            let reason = "no scene that can be read is kept with the film, so that camera, lights and colours are the usual ones";
+            watch(Event::Note(format!("{}: {reason}; run the scene again to have its own", film.folder().display())));
             Scene { name: film.manifest().scene.clone(), ..Scene::default() }
         }
-        Err(error) => return Err(error.into()),
     };
     scene.clock.frames = film.manifest().frame_count;
     scene.output.crop = None;
@@ -162,7 +161,7 @@ impl Work<'_> {
             None if has_all => Vec::new(),
             None => states,
         };
-        if let Some(_ending) = ending {
+        if ending.is_some() {
             exported.kept += frames.len() - wanted.len();
         }
         let mut done = frames.len() - wanted.len();

@@ -175,7 +175,7 @@ fn eye(stage: &mut Writer, subject: &Subject) {
         stage.text(&format!(
             "\n        def DistantLight \"light_{number}\"\n        {{\n            float inputs:angle = 4\n            \
              color3f inputs:color = {color}\n            float inputs:intensity = 3.1415927\n            \
-             matrix4d xformOp:transform = {transform}\n            \
+             bool inputs:normalize = 1\n            matrix4d xformOp:transform = {transform}\n            \
              uniform token[] xformOpOrder = [\"xformOp:transform\"]\n        }}\n"
         ));
     }

@@ -1,0 +1,81 @@
+"""A film in Blender: an animated object with its colours, seen through the film's camera in its light.
+
+    immerse export renders/hare --format usd
+    blender --python docs/blender.py -- renders/hare/export/film.usda
+
+From Python with the package bpy: `import blender; blender.film("renders/hare/export/film.usda")`.
+"""
+
+import sys
+
+import bpy
+
+
+def film(path):
+    """Imports a stage that was exported and makes it ready to play and to render; returns the surface."""
+    scene = bpy.context.scene
+    before = set(bpy.data.objects)
+    bpy.ops.wm.usd_import(filepath=str(path), import_subdivision=False, set_frame_range=True)
+    new = [thing for thing in bpy.data.objects if thing not in before]
+    surface = next(thing for thing in new if thing.type == "MESH" and "length_error" in thing.data.attributes)
+    surface.data.shade_smooth()
+    surface.data.materials.clear()
+    surface.data.materials.append(clay())
+    for thing in new:
+        if thing.type == "CAMERA":
+            scene.camera = thing
+        elif thing.type == "LIGHT":
+            # Blender takes a distant light of USD four times as strong.
+            thing.data.energy /= 4
+        elif thing.type in ("CURVES", "CURVE"):
+            # Rims, self-intersections and the boundary have colours of their own.
+            thing.data.materials.append(ink(thing.name))
+    scene.world = scene.world or sky()
+    scene.view_settings.view_transform = "Standard"
+    return surface
+
+
+def sky():
+    """A warm white all around, as behind the pictures of a film."""
+    world = bpy.data.worlds.new("sky")
+    world.use_nodes = True
+    nodes, links = world.node_tree.nodes, world.node_tree.links
+    seen, light = nodes["Background"], nodes.new("ShaderNodeBackground")
+    seen.inputs["Color"].default_value = (0.88, 0.86, 0.83, 1)
+    light.inputs["Color"].default_value = (0.3, 0.3, 0.31, 1)
+    # What is seen is brighter than what it gives.
+    rays, mix = nodes.new("ShaderNodeLightPath"), nodes.new("ShaderNodeMixShader")
+    links.new(rays.outputs["Is Camera Ray"], mix.inputs["Fac"])
+    links.new(light.outputs["Background"], mix.inputs[1])
+    links.new(seen.outputs["Background"], mix.inputs[2])
+    links.new(mix.outputs["Shader"], nodes["World Output"].inputs["Surface"])
+    return world
+
+
+def clay():
+    """A material that shows the colours of the film."""
+    material = bpy.data.materials.new("film")
+    material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    surface = nodes["Principled BSDF"]
+    surface.inputs["Roughness"].default_value = 0.55
+    color = nodes.new("ShaderNodeAttribute")
+    color.attribute_name = "displayColor"
+    links.new(color.outputs["Color"], surface.inputs["Base Color"])
+    return material
+
+
+def ink(name):
+    """A dark material, red for rims."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    color = (0.6, 0.02, 0.02, 1) if name.startswith("rims") else (0.02, 0.02, 0.02, 1)
+    material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
+    return material
+
+
+if __name__ == "__main__" and "--" in sys.argv:
+    for name in ("Cube", "Camera", "Light"):
+        if name in bpy.data.objects:
+            bpy.data.objects.remove(bpy.data.objects[name])
+    film(sys.argv[sys.argv.index("--") + 1])
