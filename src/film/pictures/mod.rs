@@ -15,6 +15,7 @@ mod sheet;
 mod sheets;
 mod shoot;
 mod shots;
+mod single;
 mod stills;
 mod subject;
 
@@ -22,5 +23,6 @@ pub use keys::RENDERER;
 pub use passes::{Arrivals, Event, Watch};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
+pub use single::take_picture;
 pub(super) use stills::SHEET;
 pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};
