@@ -100,7 +100,7 @@ impl Mesh {
     ///
     /// Examples
     /// --------
-    /// >>> mesh, positions = immerse.Mesh.shape("torus", radius=1.0, tube=0.4)
+    /// >>> mesh, positions = immerse.Mesh.shape("torus", major_radius=1.0, minor_radius=0.4)
     #[staticmethod]
     #[pyo3(signature = (name, /, **parameters))]
     fn shape<'py>(

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use immerse::immersion::{FieldValues, pinch_points};
 use immerse::render::{
-    self, Camera, ColorMap, Extent, Field, Lights, Look, LookName, Output, Paint, Picture, Plane, Scenery, View,
+    self, CameraMotion, ColorMap, Extent, Field, Lights, Look, LookName, Output, Paint, Picture, Plane, Scenery, View,
 };
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray, PyArray3};
@@ -140,7 +140,7 @@ pub fn render(
     let picture = py.detach(|| {
         let triangles = mesh.triangles();
         let extent = Extent::of_surface(places, &triangles);
-        let camera = Camera::framing(&view, &extent, &output)?;
+        let camera = CameraMotion::framing(&view, &extent, &output, [0.0, 1.0])?;
         let boundary: Vec<[u32; 2]> = mesh
             .edges()
             .filter(|&e| mesh.is_boundary_edge(e))
@@ -158,7 +158,7 @@ pub fn render(
             color: field.as_ref(),
             ..Scenery::default()
         };
-        render::render(&scenery, &camera, &Lights::default(), &look, &output)
+        render::render(&scenery, &camera.at(0.0, 0.0), &Lights::default(), &look, &output)
     });
     pixels(py, &picture.map_err(fault)?)
 }
