@@ -92,7 +92,8 @@ impl Metric {
         let array = doubles("positions", positions)?;
         points(py, "positions", &array, mesh.get().mesh.vertex_count())?;
         let places: &[DVec3] = rows(array.entries()?);
-        let lengths = py.detach(|| lengths_of_positions(&mesh.get().mesh, places));
+        let connectivity = &mesh.get().mesh;
+        let lengths = py.detach(|| lengths_of_positions(connectivity, places));
         Metric::of_lengths(py, mesh.clone().unbind(), lengths)
     }
 

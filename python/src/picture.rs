@@ -3,7 +3,7 @@
 use glam::DVec3;
 use immerse::immersion::{FieldValues, pinch_points};
 use immerse::render::{
-    self, CameraMotion, ColorMap, Extent, Field, Lights, Look, LookName, Output, Paint, Picture, Plane, Scenery, View,
+    CameraMotion, ColorMap, Extent, Field, Lights, Look, LookName, Output, Paint, Picture, Plane, Scenery, View,
 };
 use numpy::ndarray::Array3;
 use numpy::{IntoPyArray, PyArray3};
@@ -158,7 +158,7 @@ pub fn render(
             color: field.as_ref(),
             ..Scenery::default()
         };
-        render::render(&scenery, &camera.at(0.0, 0.0), &Lights::default(), &look, &output)
+        immerse::render::render(&scenery, &camera.at(0.0, 0.0), &Lights::default(), &look, &output)
     });
     pixels(py, &picture.map_err(fault)?)
 }
