@@ -160,7 +160,7 @@ impl Film {
     #[pyo3(signature = (scene, *, folder=None, base=None))]
     fn new(scene: &Bound<'_, PyAny>, folder: Option<PathBuf>, base: Option<PathBuf>) -> PyResult<Film> {
         let py = scene.py();
-        let scene = scene_of(scene, base.unwrap_or_else(|| ".".into()))?;
+        let scene = scene_of(scene, base.unwrap_or_default())?;
         let simulation = py.detach(|| scene.simulation()).map_err(|mistake| of_mistake(py, &mistake))?;
         Ok(Film {
             mesh: Py::new(py, Mesh::of(simulation.mesh().clone()))?,

@@ -115,7 +115,7 @@ impl Mesh {
         }
         let whole = PyDict::new(py);
         whole.set_item("mesh", section)?;
-        let scene = scenes::scene_of(whole.as_any(), ".".into())?;
+        let scene = scenes::scene_of(whole.as_any(), PathBuf::new())?;
         let surface = py.detach(|| scene.surface()).map_err(|error| of_mistake(py, &error))?;
         split(py, surface)
     }

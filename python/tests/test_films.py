@@ -17,7 +17,7 @@ SCENE = {
     "metric": {"change": [{"kind": "conformal", "log_scale": "0.3 * x * sin(2 * PI * t)"}]},
     "clock": {"frames": 4, "loop": True},
     "camera": {"direction": np.array([0.3, -1.0, 0.8])},
-    "output": {"width": np.int64(160), "height": 120},
+    "output": {"size": np.array([160, 120])},
 }
 TEXT = """
 [mesh]
@@ -37,8 +37,7 @@ loop = true
 [camera]
 direction = [0.3, -1.0, 0.8]
 [output]
-width = 160
-height = 120
+size = [160, 120]
 """
 
 
