@@ -15,7 +15,7 @@ import numpy as np
 
 import immerse
 
-TIMES = (0.0, 0.25, 0.5, 1.0, 2.0, 4.0)
+TIMES = (0.0, 0.03, 0.08, 0.16, 0.32, 1.0)
 
 
 def main(path: str) -> None:
@@ -26,7 +26,7 @@ def main(path: str) -> None:
     flow = immerse.ricci_flow(immerse.Metric.from_positions(mesh, dented))
 
     # How far curvature is from constant, finely in time.
-    finely = np.linspace(0.0, 5.0, 101)
+    finely = np.linspace(0.0, 2.0, 101)
     spread = [np.std(flow.at(time).gaussian_curvatures) for time in finely]
 
     places, shapes = dented, []
@@ -37,14 +37,14 @@ def main(path: str) -> None:
         shapes.append((time, metric.gaussian_curvatures, shape))
         places = shape.positions
 
-    figure = plt.figure(figsize=(16, 9), facecolor="white")
-    grid = figure.add_gridspec(2, 5, left=0.06, right=0.99, top=0.94, bottom=0.08, wspace=0.06, hspace=0.16)
+    figure = plt.figure(figsize=(16, 8.6), facecolor="white")
+    grid = figure.add_gridspec(2, 5, left=0.06, right=0.99, top=0.94, bottom=0.08, wspace=0.04, hspace=0.12)
     curve = figure.add_subplot(grid[:, :2])
     curve.semilogy(finely, spread, color="#2b6cb0", linewidth=2.2)
     curve.semilogy(TIMES, [np.std(curvature) for _, curvature, _ in shapes], "o", color="#c05621", markersize=7)
     curve.set_xlabel("time, in units of area / 4π", fontsize=12)
     curve.set_ylabel("standard deviation of Gaussian curvature", fontsize=12)
-    curve.set_xlim(0, 5)
+    curve.set_xlim(-0.02, 2)
     curve.grid(alpha=0.3, which="both")
     curve.spines[["top", "right"]].set_visible(False)
 
@@ -54,7 +54,7 @@ def main(path: str) -> None:
         tile = figure.add_subplot(grid[k // 3, 2 + k % 3])
         tile.imshow(
             immerse.render(
-                shape, size=(540, 600), color=curvature - 1, color_map="diverging", color_range=(-bound, bound),
+                shape, size=(660, 780), color=curvature - 1, color_map="diverging", color_range=(-bound, bound),
                 direction=(0.5, -1.0, 0.45), up=(0, 0, 1),
             )
         )

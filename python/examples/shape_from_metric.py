@@ -7,6 +7,7 @@ given. What comes back is as NumPy arrays again.
 """
 
 import sys
+from typing import Any
 
 import matplotlib
 
@@ -18,16 +19,17 @@ from matplotlib.colors import Normalize
 
 import immerse
 
-BLUE_TO_RED = "RdBu_r"
+MAP = "viridis"
 
 
 def main(path: str) -> None:
     mesh, sphere = immerse.Mesh.shape("sphere", subdivisions=24)
     assert sphere is not None
 
-    # Lengths are multiplied by the mean of exp(u) at their ends; u has eight hills, toward the corners of a cube.
+    # Lengths are multiplied by exp of the mean of u at their ends. Curvature stays positive, so that there is one such
+    # surface and it is convex (Alexandrov's theorem): six corners, and four faces of eight that bulge more.
     x, y, z = sphere.T
-    u = 0.55 * (x**4 + y**4 + z**4 - 0.6) * -1.8
+    u = 0.11 * (x**4 + y**4 + z**4 - 0.6) + 0.16 * x * y * z
     a, b = mesh.edges.T
     lengths = np.linalg.norm(sphere[a] - sphere[b], axis=1) * np.exp((u[a] + u[b]) / 2)
 
@@ -38,18 +40,23 @@ def main(path: str) -> None:
 
     # Back in NumPy: curvature of what was asked for, and where the vertices came to be.
     curvature = metric.gaussian_curvatures
-    bound = float(np.percentile(np.abs(curvature), 98))
+    low, high = 0.0, float(curvature.max())
     view = np.array([1.0, -1.3, 0.9])
     figure = plt.figure(figsize=(16, 7.4), facecolor="white")
-    colors = colormaps[BLUE_TO_RED](Normalize(-bound, bound)(curvature[mesh.faces].mean(axis=1)))
+    colors = colormaps[MAP](Normalize(low, high)(curvature[mesh.faces].mean(axis=1)))
+    p, q, r = shape.positions[mesh.faces].transpose(1, 0, 2)
+    normals = np.cross(q - p, r - p)
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    light = np.array([0.9, -0.5, 1.2]) / np.linalg.norm([0.9, -0.5, 1.2])
+    colors[:, :3] *= (0.72 + 0.28 * np.clip(normals @ light, -0.6, 1))[:, None]
 
-    left = figure.add_axes((0.0, 0.08, 0.46, 0.8), projection="3d")
+    left: Any = figure.add_axes((0.0, 0.08, 0.46, 0.8), projection="3d")
     elevation = np.degrees(np.arctan2(view[2], np.hypot(view[0], view[1])))
     left.view_init(elev=elevation, azim=np.degrees(np.arctan2(view[1], view[0])))
     surface = left.plot_trisurf(*shape.positions.T, triangles=mesh.faces.astype(int), linewidth=0, antialiased=False)
     surface.set_facecolor(colors)
     surface.set_edgecolor(colors)
-    reach = 0.56 * np.abs(shape.positions - shape.positions.mean(axis=0)).max()
+    reach = 0.66 * np.abs(shape.positions - shape.positions.mean(axis=0)).max()
     for set_limits, middle in zip((left.set_xlim, left.set_ylim, left.set_zlim), shape.positions.mean(axis=0)):
         set_limits(middle - reach, middle + reach)
     left.set_box_aspect((1, 1, 1))
@@ -58,7 +65,7 @@ def main(path: str) -> None:
 
     right = figure.add_axes((0.46, 0.08, 0.44, 0.8))
     picture = immerse.render(
-        shape, size=(1320, 1110), color=curvature, color_map="diverging", color_range=(-bound, bound),
+        shape, size=(1320, 1110), color=curvature, color_map=MAP, color_range=(low, high),
         direction=view, up=np.array([0.0, 0.0, 1.0]),
     )
     right.imshow(picture)
@@ -67,7 +74,7 @@ def main(path: str) -> None:
 
     bar = figure.add_axes((0.925, 0.2, 0.012, 0.56))
     figure.colorbar(
-        plt.cm.ScalarMappable(Normalize(-bound, bound), BLUE_TO_RED), cax=bar, label="Gaussian curvature of the metric"
+        plt.cm.ScalarMappable(Normalize(low, high), MAP), cax=bar, label="Gaussian curvature of the metric"
     )
     figure.savefig(path, dpi=100)
     print(path)

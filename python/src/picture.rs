@@ -74,7 +74,8 @@ pub fn pixels(py: Python<'_>, picture: &Picture) -> PyResult<Py<PyArray3<u8>>> {
 #[pyo3(signature = (
     surface, positions=None, *, size=(960, 720), look="studio", color=None, color_map="viridis", color_range=None,
     direction=None, up=None, fill=0.85, field_of_view=30.0, samples=8
-))]
+), text_signature = "(surface, positions=None, *, size=(960, 720), look='studio', color=None, color_map='viridis', \
+                     color_range=None, direction=None, up=None, fill=0.85, field_of_view=30.0, samples=8)")]
 #[allow(clippy::too_many_arguments, reason = "they are keywords in Python")]
 pub fn render(
     py: Python<'_>,

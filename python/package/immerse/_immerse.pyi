@@ -5,6 +5,24 @@ from typing import Any, Literal, TypeAlias, final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from typing_extensions import disjoint_base
+
+__all__ = [
+    "Error",
+    "Film",
+    "Frame",
+    "Frames",
+    "ImmersedSurface",
+    "Immersion",
+    "Mesh",
+    "Metric",
+    "Progress",
+    "RicciFlow",
+    "Stopped",
+    "__version__",
+    "render",
+    "ricci_flow",
+]
 
 _Doubles: TypeAlias = NDArray[np.float64]
 _Indices: TypeAlias = NDArray[np.uint32]
@@ -121,6 +139,7 @@ class Immersion:
     @property
     def metric(self) -> Metric: ...
 
+@disjoint_base
 class ImmersedSurface:
     @property
     def mesh(self) -> Mesh: ...
