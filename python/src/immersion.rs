@@ -78,7 +78,8 @@ impl Immersion {
             return Err(refused(py, "an immersion is one of a metric, and something else was given", remedy));
         };
         let mesh = metric.get().connectivity().clone();
-        let class = spin_class.map(str::parse).transpose().map_err(|error: immerse::spin::SpinError| raised(py, &error))?;
+        let class =
+            spin_class.map(str::parse).transpose().map_err(|error: immerse::spin::SpinError| raised(py, &error))?;
         let start = start
             .map(|start| {
                 let array = doubles("start", start)?;
@@ -112,7 +113,11 @@ impl Immersion {
             "outward" => Orientation::Outward,
             "as it comes" => Orientation::AsItComes,
             other => {
-                return Err(refused(py, format!("there is no orientation {other:?}"), "write \"outward\" or \"as it comes\""));
+                return Err(refused(
+                    py,
+                    format!("there is no orientation {other:?}"),
+                    "write \"outward\" or \"as it comes\"",
+                ));
             }
         };
         if let Some(accuracy) = accuracy.filter(|accuracy| !(accuracy.is_finite() && *accuracy > 0.0)) {

@@ -142,11 +142,8 @@ pub fn render(
         let triangles = mesh.triangles();
         let extent = Extent::of_surface(places, &triangles);
         let camera = CameraMotion::framing(&view, &extent, &output, [0.0, 1.0])?;
-        let boundary: Vec<[u32; 2]> = mesh
-            .edges()
-            .filter(|&e| mesh.is_boundary_edge(e))
-            .map(|e| mesh.edge_vertices(e).map(|v| v.0))
-            .collect();
+        let boundary: Vec<[u32; 2]> =
+            mesh.edges().filter(|&e| mesh.is_boundary_edge(e)).map(|e| mesh.edge_vertices(e).map(|v| v.0)).collect();
         let pinch_points: Vec<u32> = pinch_points(&mesh, places).into_iter().map(|v| v.0).collect();
         let up = camera.up();
         let scenery = Scenery {

@@ -117,7 +117,11 @@ impl RicciFlow {
         let (mesh, lengths) = (metric.connectivity(), metric.metric.edge_lengths());
         let start = self.start.get().connectivity();
         if mesh.triangles() != start.triangles() {
-            return Err(super::errors::refused(py, "this is a metric on another mesh", "give one on the mesh of the flow"));
+            return Err(super::errors::refused(
+                py,
+                "this is a metric on another mesh",
+                "give one on the mesh of the flow",
+            ));
         }
         self.with(py, |flow| flow.curvature_error(mesh, lengths)).map_err(|error| raised(py, &error))
     }

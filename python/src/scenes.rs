@@ -17,8 +17,9 @@ const NAME: &str = "scene";
 pub fn scene_of(given: &Bound<'_, PyAny>, base: PathBuf) -> PyResult<Scene> {
     let py = given.py();
     let scene = if let Ok(dict) = given.cast::<PyDict>() {
-        let text = toml::to_string(&table(dict, "")?)
-            .map_err(|error| refused(py, format!("the dict is no scene ({error})"), "write what a scene file would say"))?;
+        let text = toml::to_string(&table(dict, "")?).map_err(|error| {
+            refused(py, format!("the dict is no scene ({error})"), "write what a scene file would say")
+        })?;
         Scene::parse(&text, NAME, &base)
     } else if let Ok(text) = given.cast::<PyString>()
         && text.to_cow()?.contains('\n')
@@ -67,7 +68,9 @@ fn value_of(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Value> {
     if value.is_instance_of::<PyInt>() {
         return match value.extract::<i64>() {
             Ok(number) => Ok(Value::Integer(number)),
-            Err(_) => Err(refused(py, format!("{} is {}", called(place), value.repr()?), "give a number of at most 64 bits")),
+            Err(_) => {
+                Err(refused(py, format!("{} is {}", called(place), value.repr()?), "give a number of at most 64 bits"))
+            }
         };
     }
     if value.is_instance_of::<PyFloat>() {

@@ -181,7 +181,10 @@ impl ImmersedSurface {
     fn __repr__(slf: &Bound<'_, Self>) -> PyResult<String> {
         let name = slf.get_type().name()?;
         let FrameReport { l2_length_error, rims, spin_class, .. } = &slf.get().report;
-        Ok(format!("<immerse.{name}: length error {:.4} %, class \"{spin_class}\", {rims} rims>", 100.0 * l2_length_error))
+        Ok(format!(
+            "<immerse.{name}: length error {:.4} %, class \"{spin_class}\", {rims} rims>",
+            100.0 * l2_length_error
+        ))
     }
 }
 

@@ -44,7 +44,9 @@ pub struct Progress {
 impl Progress {
     fn __repr__(&self) -> String {
         let Progress { doing, frame, frames, phase, step, error, rims, .. } = self;
-        format!("<immerse.Progress: {doing}, frame {frame} of {frames}, phase {phase}, step {step}, error {error:.3e}, {rims} rims>")
+        format!(
+            "<immerse.Progress: {doing}, frame {frame} of {frames}, phase {phase}, step {step}, error {error:.3e}, {rims} rims>"
+        )
     }
 }
 
