@@ -40,6 +40,12 @@ impl Frames {
 
     /// Computes what is left of the film.
     pub fn run_to_end(&self, py: Python<'_>) -> PyResult<()> {
+        if let Ok(mut state) = self.state.try_lock() {
+            let film = self.film.get();
+            state.kept = film.keep(py)?;
+            // They need not be read to know that they are there.
+            state.done = state.kept.as_ref().map_or(0, |kept| kept.valid.iter().take_while(|&&valid| valid).count());
+        }
         while self.next(py)?.is_some() {}
         Ok(())
     }

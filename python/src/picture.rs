@@ -98,7 +98,7 @@ pub fn render(
         (Some(shape), _) => shape.get().connectivity().clone(),
         (None, Ok(mesh)) => mesh.get().mesh.clone(),
         (None, Err(_)) => {
-            let reason = format!("a {} cannot be shown", surface.get_type().name()?);
+            let reason = format!("the surface is of type {}", surface.get_type().name()?);
             return Err(refused(py, reason, "give what `Immersion.relax` or a film gave, or a Mesh and positions"));
         }
     };

@@ -28,7 +28,7 @@ pub fn scene_of(given: &Bound<'_, PyAny>, base: PathBuf) -> PyResult<Scene> {
     } else if let Ok(path) = given.extract::<PathBuf>() {
         py.detach(|| Scene::read(&path))
     } else {
-        let reason = format!("a {} is no scene", given.get_type().name()?);
+        let reason = format!("the scene is of type {}", given.get_type().name()?);
         return Err(refused(py, reason, "give a path, the text of a scene, or a dict"));
     };
     let mut scene = scene.map_err(|errors| of_scene(py, &errors))?;
@@ -92,7 +92,7 @@ fn value_of(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Value> {
     if value.hasattr("__fspath__")? {
         return Ok(Value::String(value.extract::<PathBuf>()?.to_string_lossy().into_owned()));
     }
-    let reason = format!("{} is a {}", called(place), value.get_type().name()?);
+    let reason = format!("{} is of type {}", called(place), value.get_type().name()?);
     Err(refused(py, reason, "give a number, a text, True or False, a list or a dict; leave out what is to be as usual"))
 }
 

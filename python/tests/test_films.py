@@ -97,6 +97,9 @@ def test_a_film_on_disk(tmp_path):
     calls = []
     assert [frame.positions.tobytes() for frame in film.frames(progress=calls.append)] == bits
     assert calls == [], "nothing is computed again"
+    (folder / "frames" / "000003.npz").write_bytes(b"damaged")
+    assert [frame.positions.tobytes() for frame in film.frames(progress=calls.append)] == bits
+    assert {call.frame for call in calls} == {3}, "what is damaged is made again"
     opened = immerse.Film.open(folder)
     assert len(opened) == 4 and opened.times.tolist() == film.times.tolist()
     assert [frame.positions.tobytes() for frame in opened] == bits
@@ -158,8 +161,8 @@ def test_mistakes_have_places_carets_and_remedies():
 def test_what_is_no_scene(tmp_path):
     with pytest.raises(FileNotFoundError, match="there is no such file"):
         immerse.Film(tmp_path / "none.toml")
-    assert "an int is no scene" in refusal(lambda: immerse.Film(3)) or "int" in refusal(lambda: immerse.Film(3))
-    assert "`mesh.radius` is a NoneType" in refusal(lambda: immerse.Film({"mesh": {"shape": "sphere", "radius": None}}))
+    assert "the scene is of type int; give a path" in refusal(lambda: immerse.Film(3))
+    assert "`mesh.radius` is of type NoneType" in refusal(lambda: immerse.Film({"mesh": {"shape": "sphere", "radius": None}}))
     assert "keys of a scene are strings" in refusal(lambda: immerse.Film({"mesh": {1: 2}}))
     with pytest.raises(FileNotFoundError):
         immerse.Film.open(tmp_path / "none")

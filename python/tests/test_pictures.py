@@ -63,5 +63,5 @@ def test_refusals(shape, options, words):
 def test_a_mesh_alone_cannot_be_seen(sphere):
     with pytest.raises(immerse.Error, match="a mesh alone has no positions"):
         immerse.render(sphere[0])
-    with pytest.raises(immerse.Error, match="a int cannot be shown|an int cannot be shown"):
+    with pytest.raises(immerse.Error, match="the surface is of type int"):
         immerse.render(3)
