@@ -19,5 +19,5 @@ pub use export::{EXPORTER, Exported, export};
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{
     Arrivals, Event, Pictured, Plan, RENDERER, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
-    make_poster,
+    make_poster, take_picture,
 };

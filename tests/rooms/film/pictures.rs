@@ -14,7 +14,7 @@ use immerse::{
     digest::Key,
     evolve::Frame,
     evolve::FrameReport,
-    film::{Event, FilmError, FilmFolder, FilmMesh, FilmSpec, make_pictures, make_poster},
+    film::{Event, FilmError, FilmFolder, FilmMesh, FilmSpec, make_pictures, make_poster, take_picture},
     mesh::Mesh,
     scene::Scene,
     spin::SpinStructure,
@@ -110,6 +110,21 @@ fn pictures_are_the_same_bytes_for_any_number_of_threads_and_one_by_one() {
         let in_film = made[0].iter().find(|(other, _)| *other == name).expect("the same");
         assert!(in_film.1 == bytes, "{name} made alone differs: the camera holds for the whole film");
     }
+}
+
+#[test]
+fn a_picture_in_memory_has_the_pixels_of_the_file_and_leaves_none() {
+    let folder = tempfile::tempdir().expect("a folder");
+    growing_ball(folder.path(), 3);
+    let scene = scene(&format!("{SMALL}[clock]\nframes = 3"));
+    let picture = take_picture(&scene, folder.path(), 2, &mut |_| {}).expect("a picture");
+    assert!(!folder.path().join("000002.png").exists());
+    make(&scene, folder.path(), &[1, 2, 3]).expect("pictures");
+    let file = |name: &str| image::open(folder.path().join(name)).expect(name).into_rgb8().into_raw();
+    assert_eq!(picture.srgb_bytes(), file("000002.png"));
+    assert_ne!(picture.srgb_bytes(), file("000003.png"));
+    let error = take_picture(&scene, folder.path(), 4, &mut |_| {}).expect_err("there are three");
+    assert!(matches!(error, FilmError::NoSuchFrame { frame: 4, .. }), "{error}");
 }
 
 #[test]
