@@ -108,6 +108,9 @@ fn folders_and_files_in_place_of_each_other() {
     refused(folder.path(), &["simulate", "ball.toml", "--out", "ball.toml", "--restart"], &["it is a file"]);
 }
 
+/// Seconds. It takes two where nothing else runs; what is quadratic would take ten minutes.
+const LINEAR: f64 = 30.0;
+
 /// Every kind is listed twenty times, in the order of the file, and the rest counted, in linear time.
 #[test]
 fn a_hundred_thousand_mistakes() {
@@ -133,7 +136,7 @@ fn a_hundred_thousand_mistakes() {
         let more: usize = mistakes.iter().map(|mistake| mistake.more).sum();
         assert!(more + 20 * kinds >= count * kinds, "{what}: {more} more");
         assert!(shown.contains(&format!("and {} more", mistakes.last().unwrap().more)), "{what}: {shown}");
-        assert!(seconds < 4.0, "{what}: {seconds} s");
+        assert!(seconds < LINEAR, "{what}: {seconds} s");
     }
     // The program shows no more than that, with the line of each.
     let folder = TempDir::new().unwrap();
@@ -148,7 +151,7 @@ fn a_hundred_thousand_mistakes() {
         assert!(err.contains("and 99") && err.contains("more like the last one"), "{err}");
         assert!(err.len() < 30_000, "{} bytes", err.len());
         assert!(err.lines().last().unwrap().ends_with("mistakes"), "{err}");
-        assert!(start.elapsed().as_secs_f64() < 4.0, "{name}: {:?}", start.elapsed());
+        assert!(start.elapsed().as_secs_f64() < LINEAR, "{name}: {:?}", start.elapsed());
     }
 }
 
