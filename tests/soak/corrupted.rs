@@ -2,7 +2,7 @@
 
 use crate::contents::Contents;
 use crate::random::Random;
-use crate::{Tally, film, finish};
+use crate::{Tally, exported_film, finish};
 use immerse::film::FilmFolder;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ fn damage(path: &Path, other: &Path, how: usize, random: &mut Random) -> bool {
 fn corrupt(tries: usize, frames: usize, seed: u64) {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
-    fs::write(at.join("film.toml"), film(frames)).expect("a scene");
+    fs::write(at.join("film.toml"), exported_film(frames)).expect("a scene");
     finish(at, "out");
     let out = at.join("out");
     let whole = Contents::of(&out);
@@ -87,7 +87,7 @@ fn damaged_files_are_made_again_long() {
 fn every_bit_of_a_frame_is_watched_over_long() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
-    fs::write(at.join("film.toml"), film(3)).expect("a scene");
+    fs::write(at.join("film.toml"), exported_film(3)).expect("a scene");
     finish(at, "out");
     let film = FilmFolder::open(&at.join("out")).expect("a film");
     let mut tally = Tally::default();

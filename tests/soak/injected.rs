@@ -2,7 +2,7 @@
 //! and the same command makes the same film.
 
 use crate::contents::Contents;
-use crate::{PROGRAM, Tally, film, finish, has};
+use crate::{PROGRAM, Tally, exported_film, finish, has};
 use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::process::ExitStatusExt;
@@ -48,7 +48,7 @@ fn inject(frames: usize) {
     }
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
-    fs::write(at.join("film.toml"), film(frames)).expect("a scene");
+    fs::write(at.join("film.toml"), exported_film(frames)).expect("a scene");
     finish(at, "whole");
     let whole = Contents::of(&at.join("whole"));
     assert!(whole.count() > 3 * frames, "a frame has its state, its report and its picture");

@@ -2,7 +2,7 @@
 
 use crate::contents::Contents;
 use crate::random::Random;
-use crate::{PROGRAM, Tally, film, finish};
+use crate::{PROGRAM, Tally, exported_film, finish};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -30,7 +30,7 @@ fn killed_after(at: &Path, out: &str, time: Duration) -> bool {
 fn kill(kills: usize, frames: usize, seed: u64) {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();
-    fs::write(at.join("film.toml"), film(frames)).expect("a scene");
+    fs::write(at.join("film.toml"), exported_film(frames)).expect("a scene");
     let start = Instant::now();
     finish(at, "whole");
     let duration = start.elapsed();

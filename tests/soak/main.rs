@@ -27,6 +27,11 @@ use std::process::{Command, Output};
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_immerse");
 
+/// A small film with pictures and exports, one file of all frames and one of each.
+fn exported_film(frames: usize) -> String {
+    film(frames) + "export = ['usd', 'ply']\n"
+}
+
 /// A small film with pictures, in a few milliseconds a frame.
 fn film(frames: usize) -> String {
     format!(
