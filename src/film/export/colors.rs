@@ -1,6 +1,5 @@
 //! The colours of a look as exports have them.
 
-use super::subject::FieldColors;
 use crate::immersion::{FieldName, FieldValues};
 use crate::render::{ColorMap, Look, Paint};
 use glam::Vec3;
@@ -37,4 +36,10 @@ impl Colors {
             colors: values.all().iter().map(color).collect(),
         }
     }
+}
+
+/// Colours of faces or vertices.
+pub(super) struct FieldColors {
+    pub per_face: bool,
+    pub colors: Vec<Vec3>,
 }

@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
 use crate::mesh::EdgeId;
 

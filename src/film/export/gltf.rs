@@ -4,7 +4,7 @@
 use glam::Vec3;
 use serde_json::{Value, json};
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
 use crate::render::smooth_normals;
 

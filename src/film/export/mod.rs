@@ -11,6 +11,7 @@ mod export;
 mod fold;
 mod format;
 mod gltf;
+mod layout;
 mod npz;
 mod obj;
 mod pc2;

@@ -1,6 +1,6 @@
 //! NumPy: a file of each frame with positions and all fields, in the order of the arrays of `mesh.npz`.
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
 use crate::npy::ArrayWriter;
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
 
 pub(super) struct Obj<'a>(pub &'a Subject);

@@ -1,6 +1,6 @@
 //! A point cache (PC2), which moves the vertices of the OBJ file beside it: the Mesh Cache of Blender, 3ds Max and Houdini.
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::obj;
 use super::subject::{Moment, Subject};
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject, is_per_face};
 use crate::immersion::{FieldName, FieldValues};
 use crate::render::srgb_bytes;

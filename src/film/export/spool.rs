@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 
-use super::format::Part;
+use super::layout::Part;
 use crate::whole_file;
 
 /// Temporary files without names, which go with the program.

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use glam::{DVec3, Vec3};
 
 use super::camera::CameraPath;
-use super::colors::Colors;
-use super::format::Wants;
+use super::colors::{Colors, FieldColors};
 use crate::evolve::Frame;
 use crate::film::disk::{FilmFolder, FilmMesh};
 use crate::film::error::FilmError;
@@ -69,10 +68,14 @@ pub(super) struct Moment {
     pub crossings: Vec<[DVec3; 2]>,
 }
 
-/// Colours of faces or vertices.
-pub(super) struct FieldColors {
-    pub per_face: bool,
-    pub colors: Vec<Vec3>,
+/// What a format wants to know of frames beside positions, lengths and rims.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Wants {
+    pub normals: bool,
+    pub fields: bool,
+    pub colors: bool,
+    pub crossings: bool,
+    pub angles: bool,
 }
 
 impl Subject {

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-use super::format::{Layout, Mark, Part, file_of_frame};
+use super::layout::{Layout, Mark, Part, file_of_frame};
 use super::subject::{Moment, Subject, is_per_face};
 
 pub(super) struct Vtk<'a>(pub &'a Subject);

@@ -6,7 +6,7 @@ mod pieces;
 mod stage;
 mod text;
 
-use super::format::{Layout, Mark, Part};
+use super::layout::{Layout, Mark, Part};
 use super::subject::{Moment, Subject};
 
 pub(super) struct Usd<'a>(pub &'a Subject);

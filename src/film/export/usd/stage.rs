@@ -5,7 +5,7 @@ use glam::{Mat3, Vec3};
 use super::pieces::{APERTURE, Attribute, FIELDS};
 use super::text::{identifier, integers, number, points, quoted};
 use crate::film::export::colors::Colors;
-use crate::film::export::format::{Mark, Part};
+use crate::film::export::layout::{Mark, Part};
 use crate::film::export::subject::{Subject, unit_in_words};
 use crate::immersion::FieldName;
 

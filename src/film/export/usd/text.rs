@@ -17,8 +17,7 @@ pub(super) fn number(text: &mut String, x: f32) {
         return;
     }
     let start = text.len();
-    // Writing to a string does not fail. This form has an exponent where the number is very large or very small.
-    let _ = write!(text, "{x:?}");
+    text.push_str(zmij::Buffer::new().format_finite(x));
     if text.ends_with(".0") && text.len() > start + 2 {
         text.truncate(text.len() - 2);
     }
