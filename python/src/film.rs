@@ -38,7 +38,7 @@ use super::shape::Frame;
 ///
 /// Examples
 /// --------
-/// >>> for frame in immerse.Film("scenes/ellipsoid.toml"):
+/// >>> for frame in immerse.Film("scenes/breathing_torus.toml"):
 /// ...     print(frame.time, frame.report["l2_length_error"])
 #[pyclass(module = "immerse", frozen)]
 pub struct Film {
@@ -126,9 +126,9 @@ impl Film {
         })
     }
 
-    fn check(&self, py: Python<'_>, number: usize) -> PyResult<()> {
-        if (1..=self.count()).contains(&number) {
-            return Ok(());
+    fn check(&self, py: Python<'_>, number: i64) -> PyResult<usize> {
+        if let Some(number) = usize::try_from(number).ok().filter(|number| (1..=self.count()).contains(number)) {
+            return Ok(number);
         }
         let reason = format!("there is no frame {number}");
         Err(refused(py, reason, format!("frames are counted from 1, and the last one is {}", self.count())))
@@ -231,8 +231,8 @@ impl Film {
     /// ----------
     /// number : int
     ///     From 1, as its files are called.
-    fn read(&self, py: Python<'_>, number: usize) -> PyResult<Py<Frame>> {
-        self.check(py, number)?;
+    fn read(&self, py: Python<'_>, number: i64) -> PyResult<Py<Frame>> {
+        let number = self.check(py, number)?;
         let folder = self.on_disk(py)?;
         let frame = py.detach(|| FilmFolder::open(folder)?.read_frame(number)).map_err(|error| of_disk(py, &error))?;
         Frame::of(py, self.mesh.clone_ref(py), Arc::new(frame))
@@ -253,9 +253,9 @@ impl Film {
     /// array of uint8, (height, width, 4)
     ///     sRGB over the background, rows from the top; the last channel is 255.
     #[pyo3(signature = (number, progress=None))]
-    fn picture(slf: &Bound<'_, Self>, number: usize, progress: Option<Py<PyAny>>) -> PyResult<Py<PyArray3<u8>>> {
+    fn picture(slf: &Bound<'_, Self>, number: i64, progress: Option<Py<PyAny>>) -> PyResult<Py<PyArray3<u8>>> {
         let py = slf.py();
-        slf.get().check(py, number)?;
+        let number = slf.get().check(py, number)?;
         let (scene, folder) = Film::complete(slf, progress)?;
         let picture = py.detach(|| take_picture(&scene, &folder, number, &mut |_: Event| ()));
         pixels(py, &picture.map_err(|error| of_film(py, &error))?)

@@ -65,7 +65,7 @@ impl Immersion {
     fn new(
         metric: Bound<'_, PyAny>,
         spin_class: Option<&str>,
-        seed: u64,
+        seed: i128,
         start: Option<&Bound<'_, PyAny>>,
         bending: Option<&Bound<'_, PyAny>>,
         pins: Option<(Bound<'_, PyAny>, Bound<'_, PyAny>)>,

@@ -59,8 +59,9 @@ impl Metric {
 #[pymethods]
 impl Metric {
     #[new]
-    fn new(mesh: Bound<'_, Mesh>, lengths: &Bound<'_, PyAny>) -> PyResult<Metric> {
+    fn new(mesh: Bound<'_, PyAny>, lengths: &Bound<'_, PyAny>) -> PyResult<Metric> {
         let py = mesh.py();
+        let mesh = mesh_of(mesh)?;
         let connectivity = &mesh.get().mesh;
         let array = doubles("lengths", lengths)?;
         let (edges, faces) = (connectivity.edge_count(), connectivity.face_count());
@@ -87,8 +88,9 @@ impl Metric {
     /// mesh : Mesh
     /// positions : array of float, (|V|, 3)
     #[staticmethod]
-    fn from_positions(mesh: Bound<'_, Mesh>, positions: &Bound<'_, PyAny>) -> PyResult<Metric> {
+    fn from_positions(mesh: Bound<'_, PyAny>, positions: &Bound<'_, PyAny>) -> PyResult<Metric> {
         let py = mesh.py();
+        let mesh = mesh_of(mesh)?;
         let array = doubles("positions", positions)?;
         points(py, "positions", &array, mesh.get().mesh.vertex_count())?;
         let places: &[DVec3] = rows(array.entries()?);
@@ -105,8 +107,9 @@ impl Metric {
     /// length : callable
     ///     Given two arrays of uint32, (|E|,) each, returns an array of float, (|E|,).
     #[staticmethod]
-    fn from_function(mesh: Bound<'_, Mesh>, length: &Bound<'_, PyAny>) -> PyResult<Metric> {
+    fn from_function(mesh: Bound<'_, PyAny>, length: &Bound<'_, PyAny>) -> PyResult<Metric> {
         let py = mesh.py();
+        let mesh = mesh_of(mesh)?;
         let connectivity = &mesh.get().mesh;
         let end = |k: usize| vector(py, connectivity.edges().map(|e| connectivity.edge_vertices(e)[k].0).collect());
         let array = doubles("what the function returns", &length.call1((end(0), end(1)))?)?;
@@ -164,6 +167,18 @@ impl Metric {
         let (edges, area) = (self.connectivity().edge_count(), self.metric.total_area());
         format!("<immerse.Metric: {edges} edge lengths, area {area:.6}>")
     }
+}
+
+/// The mesh that a metric is to be on.
+fn mesh_of(given: Bound<'_, PyAny>) -> PyResult<Bound<'_, Mesh>> {
+    let (py, name) = (given.py(), given.get_type().name()?.to_string());
+    given.cast_into::<Mesh>().map_err(|_| {
+        refused(
+            py,
+            format!("a metric is one on a mesh, and a {name} was given"),
+            "give a Mesh first; `Mesh(faces)` makes one",
+        )
+    })
 }
 
 /// From the lengths of the sides of all faces.

@@ -81,7 +81,7 @@ pub fn render(
     py: Python<'_>,
     surface: &Bound<'_, PyAny>,
     positions: Option<&Bound<'_, PyAny>>,
-    size: (usize, usize),
+    size: (i64, i64),
     look: &str,
     color: Option<&Bound<'_, PyAny>>,
     color_map: &str,
@@ -137,7 +137,7 @@ pub fn render(
     if let Some(up) = up {
         view = view.with_up(DVec3::from_array(up)).map_err(fault)?;
     }
-    let output = Output::new(size.0, size.1, samples).map_err(fault)?;
+    let output = Output::new(side(size.0), side(size.1), samples).map_err(fault)?;
     let picture = py.detach(|| {
         let triangles = mesh.triangles();
         let extent = Extent::of_surface(places, &triangles);
@@ -159,6 +159,11 @@ pub fn render(
         immerse::render::render(&scenery, &camera.at(0.0, 0.0), &Lights::default(), &look, &output)
     });
     pixels(py, &picture.map_err(fault)?)
+}
+
+/// What is below 0 is refused as 0 is.
+fn side(pixels: i64) -> usize {
+    usize::try_from(pixels).unwrap_or(0)
 }
 
 fn look_of(py: Python<'_>, name: &str) -> PyResult<Look> {

@@ -168,6 +168,7 @@ def test_what_is_no_scene(tmp_path):
         immerse.Film.open(tmp_path / "none")
     film = immerse.Film(SCENE)
     assert "has no folder" in refusal(lambda: film.picture(1))
+    assert "counted from 1" in refusal(lambda: immerse.Film(SCENE, folder=tmp_path / "f").picture(-1))
     assert "counted from 1" in refusal(lambda: immerse.Film(SCENE, folder=tmp_path / "f").read(0))
     film = immerse.Film(SCENE, folder=tmp_path / "film")
     list(film)

@@ -43,6 +43,7 @@ def test_looks_differ(shape, look):
         ({"look": "velvet"}, "there is no look"),
         ({"look": "error"}, "shows fields of a film"),
         ({"size": (0, 10)}, "size"),
+        ({"size": (-5, 10)}, "size"),
         ({"samples": 3}, "samples"),
         ({"direction": (0, 0, 0)}, "direction"),
         ({"direction": (0, 0, 1), "up": (0, 0, 2)}, "up"),

@@ -79,6 +79,8 @@ def test_immersions(flat_torus):
     assert "is pinned" in refusal(lambda: immerse.Immersion(metric, pins=([10**6], [[0, 0, 0]])))
     assert "places of pins has shape" in refusal(lambda: immerse.Immersion(metric, pins=([0, 1], [[0, 0, 0]])))
     assert "outward" in refusal(lambda: immerse.Immersion(metric, orientation="inward"))
+    assert "the seed is -1" in refusal(lambda: immerse.Immersion(metric, seed=-1))
+    assert "`Mesh(faces)` makes one" in refusal(lambda: immerse.Metric([[0, 1, 2]], [1, 1, 1]))
     assert "accuracy" in refusal(lambda: immerse.Immersion(metric, accuracy=-1))
 
 
