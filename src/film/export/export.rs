@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::camera::{CameraPath, Pose, of_lights};
 use super::colors::Colors;
-use super::format::{Layout, Mark, file_of_frame};
+use super::layout::{Layout, Mark, file_of_frame};
 use super::spool::Spools;
 use super::subject::Subject;
 use crate::digest::{Digest, Key};
