@@ -7,7 +7,6 @@
 
 mod camera;
 mod colors;
-mod export;
 mod fold;
 mod format;
 mod gltf;
@@ -20,5 +19,6 @@ mod spool;
 mod subject;
 mod usd;
 mod vtk;
+mod work;
 
-pub use export::{EXPORTER, Exported, export};
+pub use work::{EXPORTER, Exported, export};
