@@ -78,6 +78,9 @@ impl Immersion {
             return Err(refused(py, "an immersion is one of a metric, and something else was given", remedy));
         };
         let mesh = metric.get().connectivity().clone();
+        let Ok(seed) = u64::try_from(seed) else {
+            return Err(refused(py, format!("the seed is {seed}"), "give a whole number from 0 to 2^64 - 1"));
+        };
         let class =
             spin_class.map(str::parse).transpose().map_err(|error: immerse::spin::SpinError| raised(py, &error))?;
         let start = start
