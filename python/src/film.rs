@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use immerse::film::{Event, FilmFolder, FilmMesh, FilmSpec, FolderLock, Plan, make_pictures, take_picture};
 use immerse::mesh::shapes::Shape;
-use immerse::scene::MeshSection;
+use immerse::scene::{MeshSection, clock_of};
 use immerse::{Scene, Simulation};
 use numpy::{PyArray1, PyArray3};
 use pyo3::prelude::*;
@@ -87,6 +87,7 @@ impl Film {
                 opened.map_err(|error| of_disk(py, &error))?.0
             }
         };
+        film.keep_scene(scene).map_err(|error| of_disk(py, &error))?;
         let valid = py.detach(|| film.valid_frames()).map_err(|error| of_disk(py, &error))?;
         Ok(Some(Kept { folder: film, valid, _lock: lock }))
     }
@@ -114,9 +115,20 @@ impl Film {
         self.folder.as_deref().filter(|_| self.scene.is_none())
     }
 
+    /// The scene whose text lies in the folder of a film that was opened from there.
+    fn kept_scene(&self, py: Python<'_>, folder: &Path) -> PyResult<Arc<Scene>> {
+        let kept = FilmFolder::open(folder).and_then(|film| film.scene()).map_err(|error| of_disk(py, &error))?;
+        let mut scene = kept.ok_or_else(|| self.without_scene(py))?;
+        if scene.clock.a_frame_for_each_class {
+            let counted = clock_of(&scene, &self.mesh.get().mesh);
+            scene.clock = counted.map_err(|mistake| of_mistake(py, &mistake))?;
+        }
+        Ok(Arc::new(scene))
+    }
+
     fn without_scene(&self, py: Python<'_>) -> PyErr {
         let remedy = "make it of its scene, `Film(scene, folder=...)`";
-        refused(py, "this film was opened from its folder, which does not hold the scene", remedy)
+        refused(py, "this film was opened from its folder, which does not hold its scene", remedy)
     }
 
     fn on_disk(&self, py: Python<'_>) -> PyResult<&Path> {
@@ -138,7 +150,7 @@ impl Film {
     fn complete(slf: &Bound<'_, Self>, progress: Option<Py<PyAny>>) -> PyResult<(Arc<Scene>, PathBuf)> {
         let (py, film) = (slf.py(), slf.get());
         let folder = film.on_disk(py)?.to_owned();
-        let scene = film.scene.clone().ok_or_else(|| film.without_scene(py))?;
+        let Some(scene) = film.scene.clone() else { return Ok((film.kept_scene(py, &folder)?, folder)) };
         Frames::of(slf.clone().unbind(), progress).run_to_end(py)?;
         Ok((scene, folder))
     }
@@ -239,7 +251,8 @@ impl Film {
     }
 
     /// The picture of a frame as the scene asks for it, with its camera, lights and look: what the program writes as PNG.
-    /// Frames that are not there yet are computed first. For films with a folder.
+    /// Frames that are not there yet are computed first; of a film that was opened from its folder they must be there. For
+    /// films with a folder.
     ///
     /// Parameters
     /// ----------

@@ -192,7 +192,7 @@ fn field_of(py: Python<'_>, mesh: &immerse::Mesh, color: &Bound<'_, PyAny>) -> P
             return Err(refused(py, reason, format!("give one value per vertex, ({vertices},), or face, ({faces},)")));
         }
     };
-    Ok(Field { name: "color".into(), unit: "", values, period: None })
+    Ok(Field { name: "color".into(), values, period: None })
 }
 
 /// From the least to the greatest value, or as far on both sides of 0.

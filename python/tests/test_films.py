@@ -122,6 +122,7 @@ def test_pictures_are_those_that_are_written(tmp_path):
     for number in (1, 2, 3, 4):
         written = np.asarray(Image.open(tmp_path / "film" / f"{number:06}.png").convert("RGB"))
         assert (film.picture(number)[..., :3] == written).all()
+    assert (immerse.Film.open(tmp_path / "film").picture(2) == picture).all(), "the folder keeps its scene"
     assert np.ptp(picture[..., :3]) > 100, "something is to be seen"
 
 
@@ -134,8 +135,9 @@ def test_same_bits_as_the_program(tmp_path):
     assert done.returncode == 0, done.stderr
     film = immerse.Film(path, folder=tmp_path / "ours")
     film.make_pictures()
-    theirs = sorted((tmp_path / "theirs").rglob("*.np[yz]")) + sorted((tmp_path / "theirs").rglob("*.png"))
-    assert len(theirs) >= 9
+    kinds = ("*.npz", "*.json", "*.png", "scene.toml")
+    theirs = [file for kind in kinds for file in sorted((tmp_path / "theirs").rglob(kind))]
+    assert len(theirs) >= 5 + 5 + 4 + 1
     for file in theirs:
         own = tmp_path / "ours" / file.relative_to(tmp_path / "theirs")
         assert own.read_bytes() == file.read_bytes(), file.name
@@ -172,7 +174,8 @@ def test_what_is_no_scene(tmp_path):
     assert "counted from 1" in refusal(lambda: immerse.Film(SCENE, folder=tmp_path / "f").read(0))
     film = immerse.Film(SCENE, folder=tmp_path / "film")
     list(film)
-    assert "does not hold the scene" in refusal(lambda: immerse.Film.open(tmp_path / "film").picture(1))
+    (tmp_path / "film" / ".immerse" / "scene.toml").unlink()
+    assert "does not hold its scene" in refusal(lambda: immerse.Film.open(tmp_path / "film").picture(1))
     other = {**SCENE, "mesh": {"shape": "sphere", "subdivisions": 4}, "metric": {}}
     shutil.copytree(tmp_path / "film", tmp_path / "copy")
     assert len(list(immerse.Film({**other, "clock": {"frames": 1}}, folder=tmp_path / "copy"))) == 1
