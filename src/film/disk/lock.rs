@@ -11,7 +11,7 @@ use crate::whole_file;
 /// The file that is locked. It says who holds it, and is there only meanwhile.
 const NAME: &str = ".lock";
 /// Folders of a film that files are written to.
-const INNER: [&str; 3] = ["frames", ".immerse", "export"];
+const INNER: [&str; 4] = ["frames", ".immerse", "export", "export/.immerse"];
 /// Bytes of it that are read.
 const LONGEST: u64 = 1000;
 /// How often a folder may go or a file be another one between two calls of the system.
