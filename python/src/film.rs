@@ -87,7 +87,6 @@ impl Film {
                 opened.map_err(|error| of_disk(py, &error))?.0
             }
         };
-        film.keep_scene(scene).map_err(|error| of_disk(py, &error))?;
         let valid = py.detach(|| film.valid_frames()).map_err(|error| of_disk(py, &error))?;
         Ok(Some(Kept { folder: film, valid, _lock: lock }))
     }

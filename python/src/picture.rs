@@ -16,16 +16,6 @@ use super::shape::ImmersedSurface;
 
 /// Looks that show the surface alone, and no field of a film.
 const LOOKS: [&str; 4] = ["studio", "clay", "soap", "blueprint"];
-/// Colour maps by their names, as in scenes.
-const MAPS: [(&str, ColorMap); 6] = [
-    ("viridis", ColorMap::Viridis),
-    ("inferno", ColorMap::Inferno),
-    ("cividis", ColorMap::Cividis),
-    ("diverging", ColorMap::Diverging),
-    ("cyclic", ColorMap::Cyclic),
-    ("categorical", ColorMap::Categorical),
-];
-
 /// A picture over its background: uint8, (height, width, 4), sRGB. The last channel is 255.
 pub fn pixels(py: Python<'_>, picture: &Picture) -> PyResult<Py<PyArray3<u8>>> {
     let (width, height) = (picture.width(), picture.height());
@@ -122,8 +112,8 @@ pub fn render(
     let mut look = look_of(py, look)?;
     let field = color.map(|color| field_of(py, &mesh, color)).transpose()?;
     if let Some(field) = &field {
-        let Some(&(_, map)) = MAPS.iter().find(|(name, _)| *name == color_map) else {
-            let names = MAPS.map(|(name, _)| name).join(", ");
+        let Some(&(_, map)) = ColorMap::ALL.iter().find(|(name, _)| *name == color_map) else {
+            let names = ColorMap::ALL.map(|(name, _)| name).join(", ");
             return Err(refused(py, format!("there is no colour map {color_map:?}"), format!("write one of {names}")));
         };
         let range = color_range.map_or_else(|| range_of(map, field.values.all()), |(low, high)| [low, high]);

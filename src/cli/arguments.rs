@@ -3,10 +3,10 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use super::frame_range::FrameRange;
+use super::names::one_of;
 use super::picture_options::PictureOptions;
 use super::progress::LogFormat;
 use crate::scene::ExportFormat;
@@ -100,7 +100,7 @@ pub(super) enum Command {
         /// The folder of the film
         folder: PathBuf,
         /// The formats, several separated by commas
-        #[arg(long, value_name = "FORMAT", value_delimiter = ',', required = true, value_parser = export_formats())]
+        #[arg(long, value_name = "FORMAT", value_delimiter = ',', required = true, value_parser = one_of(&ExportFormat::ALL))]
         format: Vec<ExportFormat>,
         /// Which frames, as in 1-20,30-240:4 [default: all]
         #[arg(long, value_name = "RANGE")]
@@ -152,13 +152,6 @@ impl Command {
             _ => false,
         }
     }
-}
-
-/// Takes the names of formats in scene files.
-fn export_formats() -> impl TypedValueParser<Value = ExportFormat> {
-    let format = |name: String| ExportFormat::ALL.into_iter().find(|(known, _)| *known == name);
-    PossibleValuesParser::new(ExportFormat::ALL.map(|(name, _)| name))
-        .map(move |name| format(name).map_or(ExportFormat::Usd, |(_, format)| format))
 }
 
 #[derive(Args, Debug)]

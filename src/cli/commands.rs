@@ -13,14 +13,15 @@ use super::diagnostics::one_line;
 use super::export::{self, Request, export};
 use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
+use super::leftovers::clear_leftovers;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::{count_classes, folder_of};
-use crate::film::{self, FilmFolder, Leftovers, Plan};
-use crate::scene::{MeshSection, OutputSection, Scene};
+use crate::film::{self, FilmFolder, Plan};
+use crate::scene::{MeshSection, Scene};
 use crate::whole_file;
 
 /// The scene that `new` writes.
@@ -143,9 +144,8 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
         }
         Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, session, out),
         Command::Export { folder, format, frames, to, restart } => {
-            let frames = frames.as_ref();
-            let request = Request { folder, formats: format, frames, to: to.as_ref(), restart: *restart };
-            export(&request, session, out)
+            let request = Request { folder, formats: format, to: to.as_deref(), restart: *restart };
+            export(&request, frames.as_ref(), session, out)
         }
         Command::New { name } => new(name, out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
@@ -216,32 +216,8 @@ fn export_as_asked(
 ) -> Result<(), Failure> {
     let formats = &scene.output.export;
     let frames: Vec<usize> = (1..=scene.clock.frames).collect();
-    export::write(&Request { folder, formats, frames: None, to: None, restart }, &frames, session, out)
+    export::write(&Request { folder, formats, to: None, restart }, &frames, session, out)
 }
-
-/// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
-fn clear_leftovers(folder: &Path, output: Option<&OutputSection>, log: &Log) -> Result<(), PipelineError> {
-    let Leftovers { removed, older } = film::clear_leftovers(folder, output).map_err(PipelineError::from)?;
-    let named = |names: &[String]| match names.len().saturating_sub(NAMED) {
-        0 => names.join(", "),
-        more => format!("{} and {more} more", names[..NAMED].join(", ")),
-    };
-    if !removed.is_empty() {
-        let (count, names) = (removed.len(), named(&removed));
-        log.note(format_args!("{}: removed what is not of this film ({count} files): {names}", folder.display()));
-    }
-    if !older.is_empty() {
-        let (count, names) = (older.len(), named(&older));
-        log.note(format_args!(
-            "{}: left from an earlier run, not made anew ({count} files): {names}",
-            folder.display()
-        ));
-    }
-    Ok(())
-}
-
-/// Files that are listed by name.
-const NAMED: usize = 8;
 
 /// Says on standard error which frames ran into the limit of steps and what the result is not, on a line each.
 fn say_verdict(inspection: &Inspection, scene: &Scene, log: &Log) {

@@ -12,6 +12,8 @@ mod export;
 mod failure;
 mod frame_range;
 mod gallery;
+mod leftovers;
+mod names;
 mod picture_options;
 mod pipeline;
 mod process;

@@ -2,10 +2,10 @@
 
 use std::str::FromStr;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 
 use super::frame_range::number;
+use super::names::one_of;
 use super::{FrameRange, FrameRangeError};
 use crate::render::LookName;
 use crate::scene::{AnimationFormat, LookSection, Scene};
@@ -17,7 +17,7 @@ pub(super) struct PictureOptions {
     #[arg(long, value_name = "RANGE", help_heading = HEADING)]
     frames: Option<FrameRange>,
     /// A named look in place of the scene's [look]
-    #[arg(long, value_name = "NAME", value_parser = look_names(), help_heading = HEADING)]
+    #[arg(long, value_name = "NAME", value_parser = one_of(&LookName::ALL), help_heading = HEADING)]
     look: Option<LookName>,
     /// Size of pictures in pixels, as in 1920x1080; makes whole pictures unless --crop is given
     #[arg(long, value_name = "WxH", help_heading = HEADING)]
@@ -66,13 +66,6 @@ impl PictureOptions {
             None => Ok((1..=scene.clock.frames).collect()),
         }
     }
-}
-
-/// Takes the names of looks in scene files.
-fn look_names() -> impl TypedValueParser<Value = LookName> {
-    let look = |name: String| LookName::ALL.into_iter().find(|(known, _)| *known == name);
-    PossibleValuesParser::new(LookName::ALL.map(|(name, _)| name))
-        .map(move |name| look(name).map_or(LookName::default(), |(_, look)| look))
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -109,7 +109,6 @@ fn simulate_for(
             (film, valid, Some(set_up))
         }
     };
-    film.keep_scene(scene)?;
     let kept = valid.iter().filter(|&&valid| valid).count();
     log.begin_film(kept, valid.len());
     // Whoever makes pictures then knows at once how far the film goes.
@@ -226,14 +225,11 @@ impl Observer for Watcher<'_> {
 /// Makes sure that the folder holds the film of the scene, as far as it was computed: its frames are known by their keys. A
 /// folder with an earlier version of the film is brought up to date, so that frames which are no longer of it are told.
 fn is_of_scene(scene: &Scene, folder: &Path) -> Result<(), PipelineError> {
-    if let Some(film) = FilmFolder::open_unchanged(folder, scene)? {
-        film.keep_scene(scene)?;
-    } else {
+    if FilmFolder::open_unchanged(folder, scene)?.is_none() {
         let mut set_up = SetUp::of(scene)?;
         let keys = frame_keys(scene, &mut set_up.simulation)?;
         let (film, _) = FilmFolder::open_or_create(folder, &FilmSpec::of(scene, keys), &set_up.film_mesh(scene))?;
         retime(&film, &film.valid_frames()?, &set_up.simulation)?;
-        film.keep_scene(scene)?;
     }
     Ok(())
 }

@@ -35,6 +35,7 @@ fn film(folder: &Path, checks: ChecksSection) -> FilmFolder {
         sections: Default::default(),
         keys: [1, 2].map(|k| Key::of_bytes(&[k])).to_vec(),
         checks,
+        text: String::new(),
     };
     let cache = FilmFolder::open_or_create(folder, &film, &FilmMesh::of(mesh.clone().into())).unwrap().0;
     for frame in [1, 2] {

@@ -50,7 +50,7 @@ impl FilmFolder {
                 let Some(keys) = film.manifest.keys_for(&sections) else { return Ok(None) };
                 let spec = FilmSpec::of_sections(scene, sections, keys.to_vec());
                 let Manifest { mesh, mesh_sha256, .. } = film.manifest;
-                match film.mesh().and_then(|_| film.read_mesh(lists_edges)) {
+                match film.read_mesh(|bytes| film.mesh_of(bytes).and_then(|_| lists_edges(bytes))) {
                     // Names and checks may have changed; they decide no frame.
                     Ok(true) => FilmFolder::begin(folder, &spec, mesh, mesh_sha256).map(Some),
                     // The mesh of an earlier build is written anew.
@@ -111,12 +111,17 @@ impl FilmFolder {
         remove(&folder.join("manifest.json"))
     }
 
-    /// Writes the manifest of a film whose mesh is there.
+    /// Writes the manifest of a film whose mesh is there, and keeps the text of its scene, for camera, lights and colours.
     fn begin(folder: &Path, spec: &FilmSpec, mesh: MeshCounts, mesh_sha256: Key) -> Result<FilmFolder, DiskError> {
         create_folder(&folder.join("frames"))?;
         let manifest = Manifest::of(spec, mesh, mesh_sha256);
         let path = folder.join("manifest.json");
         write_unless_same(&path, &sealed(&path, &manifest)?)?;
+        if !spec.text.is_empty() {
+            let path = folder.join(SCENE);
+            path.parent().map_or(Ok(()), create_folder)?;
+            write_unless_same(&path, spec.text.as_bytes())?;
+        }
         Ok(FilmFolder { folder: folder.to_owned(), manifest })
     }
 
@@ -149,19 +154,6 @@ impl FilmFolder {
         &self.manifest
     }
 
-    /// Keeps the text of the scene with the film, for its camera, lights and colours. A scene that was made in code has none.
-    ///
-    /// # Errors
-    /// [`DiskError::Io`]
-    pub fn keep_scene(&self, scene: &Scene) -> Result<(), DiskError> {
-        let (path, text) = (self.folder.join(SCENE), scene.source.text());
-        if text.is_empty() {
-            return Ok(());
-        }
-        path.parent().map_or(Ok(()), create_folder)?;
-        write_unless_same(&path, text.as_bytes())
-    }
-
     /// The scene that was kept; `None` if there is none, or none that this version of the program reads. Files that it
     /// names need not be there.
     ///
@@ -177,11 +169,13 @@ impl FilmFolder {
     /// # Errors
     /// [`DiskError::Damaged`] if the mesh is not what was written.
     pub fn mesh(&self) -> Result<FilmMesh, DiskError> {
-        let counts = self.manifest.mesh;
-        self.read_mesh(|bytes| {
-            let mesh = Mesh::from_faces(counts.vertices, &triangles_of(bytes, counts.faces)?);
-            FilmMesh::from_npz(bytes, mesh.map_err(|error| error.to_string())?)
-        })
+        self.read_mesh(|bytes| self.mesh_of(bytes))
+    }
+
+    fn mesh_of(&self, bytes: &[u8]) -> Result<FilmMesh, String> {
+        let MeshCounts { vertices, faces, .. } = self.manifest.mesh;
+        let mesh = Mesh::from_faces(vertices, &triangles_of(bytes, faces)?);
+        FilmMesh::from_npz(bytes, mesh.map_err(|error| error.to_string())?)
     }
 
     /// The number of each face in the mesh file, that of its polygon, |F|.

@@ -21,6 +21,8 @@ pub struct FilmSpec {
     pub keys: Vec<Key>,
     /// What must hold on its last frame.
     pub checks: ChecksSection,
+    /// The text of the scene, which is kept with the film; empty if it was made in code.
+    pub text: String,
 }
 
 impl FilmSpec {
@@ -31,7 +33,8 @@ impl FilmSpec {
 
     /// The same, with sections whose files need not be read again.
     pub(super) fn of_sections(scene: &Scene, sections: BTreeMap<String, Key>, keys: Vec<Key>) -> FilmSpec {
-        FilmSpec { scene: scene.name.clone(), sections, keys, checks: scene.checks.clone() }
+        let (scene, checks, text) = (scene.name.clone(), scene.checks.clone(), scene.source.text().to_owned());
+        FilmSpec { scene, sections, keys, checks, text }
     }
 }
 

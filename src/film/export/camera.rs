@@ -5,6 +5,7 @@ use glam::{DAffine3, DVec3, Vec3};
 use crate::render::{Camera, Lights};
 
 /// A camera for each exported frame, and the lights that go with it.
+#[derive(Default)]
 pub(super) struct CameraPath {
     /// In the order of the frames.
     pub poses: Vec<Pose>,

@@ -5,6 +5,7 @@ use crate::render::{ColorMap, Look, Paint};
 use glam::Vec3;
 
 /// What gives the surface its colour.
+#[derive(Default)]
 pub(super) struct Colors {
     /// Linear light of front and back.
     pub sides: [Vec3; 2],
@@ -31,10 +32,7 @@ impl Colors {
     /// The colours of its values.
     pub fn of(&self, values: &FieldValues) -> FieldColors {
         let color = |&value: &f32| self.map.map_or(self.sides[0], |(_, map, range)| map.color(value, range));
-        FieldColors {
-            per_face: matches!(values, FieldValues::PerFace(_)),
-            colors: values.all().iter().map(color).collect(),
-        }
+        FieldColors { per_face: values.is_per_face(), colors: values.all().iter().map(color).collect() }
     }
 }
 

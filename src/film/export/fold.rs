@@ -14,10 +14,9 @@ const FLAT: f64 = 1e-6;
 
 impl Layout for Fold<'_> {
     fn frame(&self, moment: &Moment) -> Result<Vec<Vec<u8>>, String> {
-        let is_first = Some(moment.number) == self.0.frames.first().copied();
         let mut frame = self.arrays(moment);
         let Value::Object(entries) = &mut frame else { return Err("a frame is no object".into()) };
-        if is_first {
+        if moment.place == 0 {
             let subject = self.0;
             let head = json!({
                 "file_spec": 1.2,
@@ -37,7 +36,7 @@ impl Layout for Fold<'_> {
         entries.insert("frame_inherit".into(), true.into());
         entries.insert("frame_parent".into(), 0.into());
         let mut text = serde_json::to_vec(&frame).map_err(|error| error.to_string())?;
-        if Some(moment.number) != self.0.frames.get(1).copied() {
+        if moment.place > 1 {
             text.splice(0..0, *b",\n");
         }
         Ok(vec![Vec::new(), text])

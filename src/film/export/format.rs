@@ -16,10 +16,10 @@ impl ExportFormat {
     pub(super) fn wants(self) -> Wants {
         let nothing = Wants::default();
         match self {
-            ExportFormat::Usd => Wants { normals: true, fields: true, colors: true, crossings: true, angles: false },
+            ExportFormat::Usd => Wants { normals: true, fields: true, view: true, crossings: true, angles: false },
             ExportFormat::Vtk => Wants { normals: true, fields: true, crossings: true, ..nothing },
-            ExportFormat::Gltf => Wants { normals: true, colors: true, ..nothing },
-            ExportFormat::Ply => Wants { normals: true, fields: true, colors: true, ..nothing },
+            ExportFormat::Gltf => Wants { normals: true, view: true, ..nothing },
+            ExportFormat::Ply => Wants { normals: true, fields: true, view: true, ..nothing },
             ExportFormat::Obj => Wants { normals: true, ..nothing },
             ExportFormat::Npz => Wants { normals: true, fields: true, angles: true, ..nothing },
             ExportFormat::Fold => Wants { angles: true, ..nothing },

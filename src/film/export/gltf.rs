@@ -67,7 +67,7 @@ impl<'a> Gltf<'a> {
 impl Layout for Gltf<'_> {
     /// Three parts: what stands in the buffer of the first frame, of the others, and their descriptions.
     fn frame(&self, moment: &Moment) -> Result<Vec<Vec<u8>>, String> {
-        let place = self.subject.frames.iter().position(|&number| number == moment.number).unwrap_or(0);
+        let place = moment.place;
         let bytes =
             |points: &[Vec3]| points.iter().flat_map(|p| p.to_array()).flat_map(f32::to_le_bytes).collect::<Vec<u8>>();
         if place == 0 {

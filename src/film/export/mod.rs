@@ -18,6 +18,7 @@ mod ply;
 mod spool;
 mod subject;
 mod usd;
+mod view;
 mod vtk;
 mod work;
 

@@ -11,8 +11,7 @@ impl Layout for Pc2<'_> {
         let places = moment.positions.iter().flat_map(|place| place.as_vec3().to_array());
         let points = places.flat_map(f32::to_le_bytes).collect();
         // The first one is the object that is moved.
-        let is_first = Some(moment.number) == self.0.frames.first().copied();
-        Ok(vec![points, if is_first { obj::text(self.0, moment) } else { Vec::new() }])
+        Ok(vec![points, if moment.place == 0 { obj::text(self.0, moment) } else { Vec::new() }])
     }
 
     fn end(&self, frames: &[Mark], _: &[u64]) -> Vec<(&'static str, Vec<Part>)> {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::layout::{Layout, Mark, Part};
-use super::subject::{Moment, Subject, is_per_face};
+use super::subject::{Moment, Subject};
 use crate::immersion::{FieldName, FieldValues};
 use crate::render::srgb_bytes;
 use glam::Vec3;
@@ -17,7 +17,7 @@ impl Layout for Ply<'_> {
 
     fn frame(&self, moment: &Moment) -> Result<Vec<Vec<u8>>, String> {
         let Subject { made_by, triangles, vertices, colors, .. } = self.0;
-        let (of_faces, of_vertices): (Vec<_>, Vec<_>) = moment.fields.iter().partition(|(_, of)| is_per_face(of));
+        let (of_faces, of_vertices): (Vec<_>, Vec<_>) = moment.fields.iter().partition(|(_, of)| of.is_per_face());
         let front = srgb_bytes(colors.sides[0], 0.0);
         let painted = |per_face: bool| moment.colors.as_ref().filter(|painted| painted.per_face == per_face);
         // Colours of faces stand at faces, so that nothing is smeared.

@@ -6,10 +6,11 @@ use glam::{DVec3, Vec3};
 
 use super::camera::CameraPath;
 use super::colors::{Colors, FieldColors};
+use super::view::View;
 use crate::evolve::Frame;
 use crate::film::disk::{FilmFolder, FilmMesh};
 use crate::film::error::FilmError;
-use crate::immersion::{FieldInput, FieldName, FieldValues, Fields, bending_angles};
+use crate::immersion::{FieldError, FieldInput, FieldName, FieldValues, Fields, bending_angles};
 use crate::mesh::{EdgeId, Mesh};
 use crate::metric::Metric;
 use crate::render::{self_intersections, smooth_normals};
@@ -50,6 +51,8 @@ pub(super) struct Subject {
 /// A frame, with what is wanted of it.
 pub(super) struct Moment {
     pub number: usize,
+    /// Its place among the frames that are exported, from 0.
+    pub place: usize,
     pub time: f64,
     /// |V|
     pub positions: Vec<DVec3>,
@@ -73,7 +76,8 @@ pub(super) struct Moment {
 pub(super) struct Wants {
     pub normals: bool,
     pub fields: bool,
-    pub colors: bool,
+    /// Camera, lights and colours, as pictures have them; they depend on the whole film.
+    pub view: bool,
     pub crossings: bool,
     pub angles: bool,
 }
@@ -82,13 +86,11 @@ impl Subject {
     /// Of a film, some of whose frames are exported.
     pub fn of(
         film: &FilmFolder,
-        name: &str,
         frames: &[usize],
-        frame_rate: f64,
-        camera: CameraPath,
-        colors: Colors,
+        View { frame_rate, camera, colors, .. }: View,
         wants: Wants,
     ) -> Result<Subject, FilmError> {
+        let name = &film.manifest().scene;
         let FilmMesh { mesh, pins, .. } = film.mesh()?;
         let first = film.read_frame(1)?;
         let fields = Fields::new(mesh.clone(), metric(&mesh, &first)?, first.report.stiffness);
@@ -100,7 +102,7 @@ impl Subject {
         };
         Ok(Subject {
             made_by: format!("immerse {}: {name}", env!("CARGO_PKG_VERSION")),
-            name: name.to_owned(),
+            name: name.clone(),
             vertices: mesh.vertex_count(),
             triangles: mesh.triangles(),
             edges: mesh.edges().map(|e| ends(&mesh, e)).collect(),
@@ -121,24 +123,17 @@ impl Subject {
         })
     }
 
-    /// What is wanted of a frame.
-    pub fn moment(&self, frame: &Frame) -> Result<Moment, FilmError> {
+    /// What is wanted of the frame at a place among those that are exported.
+    pub fn moment(&self, place: usize, frame: &Frame) -> Result<Moment, FilmError> {
         let Subject { mesh, wants, triangles, .. } = self;
-        let metric = metric(mesh, frame)?;
-        let input =
-            FieldInput { metric: &metric, positions: &frame.positions, frames: &frame.face_frames, spin: &frame.spin };
-        let value = |name| {
-            let values =
-                self.fields.of(name, &input).map_err(|error| FilmError::Field { reason: error.to_string() })?;
-            Ok::<_, FilmError>((name, values))
-        };
         let fields = match wants.fields {
-            true => FieldName::ALL.map(|(_, name)| name).into_iter().map(value).collect::<Result<_, _>>()?,
+            true => self.fields_of(frame, FieldName::ALL.iter().map(|(_, name)| *name))?,
             false => Vec::new(),
         };
-        let colors = match self.colors.field().filter(|_| wants.colors) {
-            Some(name) => Some(self.colors.of(&value(name)?.1)),
-            None => None,
+        let shown = self.colors.field();
+        let colors = match fields.iter().find(|(name, _)| Some(*name) == shown) {
+            Some((_, values)) => Some(self.colors.of(values)),
+            None => self.fields_of(frame, shown)?.first().map(|(_, values)| self.colors.of(values)),
         };
         let crossings = match wants.crossings {
             true => self_intersections(triangles, &frame.positions).into_iter().map(|c| c.ends).collect(),
@@ -146,6 +141,7 @@ impl Subject {
         };
         Ok(Moment {
             number: frame.report.frame,
+            place,
             time: frame.report.time,
             positions: frame.positions.clone(),
             normals: if wants.normals { smooth_normals(triangles, &frame.positions) } else { Vec::new() },
@@ -157,24 +153,32 @@ impl Subject {
             crossings,
         })
     }
-}
 
-impl Subject {
+    /// Fields of a frame.
+    fn fields_of(
+        &self,
+        frame: &Frame,
+        names: impl IntoIterator<Item = FieldName>,
+    ) -> Result<Vec<(FieldName, FieldValues)>, FilmError> {
+        let mut names = names.into_iter().peekable();
+        if names.peek().is_none() {
+            return Ok(Vec::new());
+        }
+        let Frame { positions, face_frames: frames, spin, .. } = frame;
+        let input = FieldInput { metric: &metric(&self.mesh, frame)?, positions, frames, spin };
+        let failed = |error: FieldError| FilmError::Field { reason: error.to_string() };
+        names.map(|name| Ok((name, self.fields.of(name, &input).map_err(failed)?))).collect()
+    }
+
     /// Whether a field has a value for each face ("uniform") or each vertex, as USD says.
     pub fn interpolation(&self, field: FieldName) -> &'static str {
-        if is_of_faces(field) { "uniform" } else { "vertex" }
+        if field.is_per_face() { "uniform" } else { "vertex" }
     }
 
     /// The same of colours; `None` if the surface has one.
     pub fn color_interpolation(&self) -> Option<&'static str> {
         self.colors.field().map(|field| self.interpolation(field))
     }
-}
-
-/// What [`Fields::of`] gives of it.
-fn is_of_faces(field: FieldName) -> bool {
-    use FieldName::{BendingAngle, EnergyDensity, Generators, LengthError};
-    matches!(field, LengthError | EnergyDensity | BendingAngle | Generators)
 }
 
 fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
@@ -190,11 +194,6 @@ fn size_of(points: &[DVec3]) -> f64 {
     let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
     let high = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
     if points.is_empty() { 1.0 } else { low.distance(high).max(f64::MIN_POSITIVE) }
-}
-
-/// Vertices and faces, or what else has one value each.
-pub(super) fn is_per_face(values: &FieldValues) -> bool {
-    matches!(values, FieldValues::PerFace(_))
 }
 
 /// What the values of a field are, for people.

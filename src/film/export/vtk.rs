@@ -6,7 +6,7 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use super::layout::{Layout, Mark, Part, file_of_frame};
-use super::subject::{Moment, Subject, is_per_face};
+use super::subject::{Moment, Subject};
 
 pub(super) struct Vtk<'a>(pub &'a Subject);
 
@@ -54,7 +54,7 @@ impl Layout for Vtk<'_> {
         let file_face = subject.file_faces.iter().map(|&f| i64::from(f));
         of_cells += &arrays.add("file_face", 1, "Int64", file_face, i64::to_le_bytes);
         for (name, values) in &moment.fields {
-            let of = if is_per_face(values) { &mut of_cells } else { &mut of_points };
+            let of = if values.is_per_face() { &mut of_cells } else { &mut of_points };
             *of += &arrays.add(name.name(), 1, "Float32", values.all().iter().copied(), f32::to_le_bytes);
         }
         let (vertices, data) = (subject.vertices, arrays.data);

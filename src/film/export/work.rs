@@ -1,20 +1,18 @@
 //! Exports a film.
 
-use std::fs;
 use std::path::Path;
 
-use super::camera::{CameraPath, Pose, of_lights};
-use super::colors::Colors;
 use super::layout::{Layout, Mark, file_of_frame};
 use super::spool::Spools;
 use super::subject::Subject;
+use super::view::View;
 use crate::digest::{Digest, Key};
 use crate::evolve::Frame;
 use crate::film::disk::FilmFolder;
 use crate::film::error::FilmError;
 use crate::film::ledger::Ledger;
-use crate::film::pictures::{Arrivals, Event, Plan, Views, Watch, at_a_time, in_order};
-use crate::scene::{ExportFormat, Scene};
+use crate::film::pictures::{Arrivals, Event, Watch, at_a_time, in_order};
+use crate::scene::ExportFormat;
 use crate::whole_file;
 
 /// Counts the ways in which films have been exported, so that no folder mixes two.
@@ -46,39 +44,17 @@ pub fn export(
     watch: &mut Watch,
 ) -> Result<Exported, FilmError> {
     let film = FilmFolder::open(folder)?;
-    let scene = scene_of(&film, watch)?;
-    let frames = thinned(frames, format, watch);
-    let plan = Plan::of(&scene)?;
-    let views = Views::of(&plan, folder, &frames, arrivals, watch)?;
-    let key = key_of_all(&film, format, &plan, &views);
-    let subject = subject(&film, &plan, views, &frames, format)?;
+    let (frames, wants) = (thinned(frames, format, watch), format.wants());
+    let view = if wants.view { View::of(&film, &frames, arrivals, watch)? } else { View::default() };
+    let key = key_of_all(&film, format, &view);
+    let subject = Subject::of(&film, &frames, view, wants)?;
     whole_file::create_folder(to).map_err(|error| FilmError::write(to, error))?;
     let ledger = Ledger::of_exports(to)?;
     let work = Work { film: &film, subject: &subject, layout: &*format.layout(&subject), to, ledger: &ledger, restart };
     let mut exported = work.write(key, &frames, arrivals, watch)?;
-    exported.removed = work.clear(&film)?;
+    exported.removed = work.clear()?;
     ledger.close()?;
     Ok(exported)
-}
-
-/// The scene of the film, as far as exports want it: camera, lights and colours.
-fn scene_of(film: &FilmFolder, watch: &mut Watch) -> Result<Scene, FilmError> {
-    let mut scene = match film.scene()? {
-        Some(scene) => scene,
-        None => {
-            let reason = "no scene that can be read is kept with the film, so that camera, lights and colours are the usual ones";
-            watch(Event::Note(format!("{}: {reason}; run the scene again to have its own", film.folder().display())));
-            Scene { name: film.manifest().scene.clone(), ..Scene::default() }
-        }
-    };
-    scene.clock.frames = film.manifest().frame_count;
-    scene.output.crop = None;
-    scene.output.animation.clear();
-    // What only pictures have, and files beside the scene.
-    let look = &mut scene.look;
-    (look.matcap, look.hide, look.pattern, look.cut, look.explode) = (None, None, None, None, 0.0);
-    look.hide_faces.clear();
-    Ok(scene)
 }
 
 /// No more frames than a file of the format has.
@@ -89,33 +65,16 @@ fn thinned(frames: &[usize], format: ExportFormat, watch: &mut Watch) -> Vec<usi
     (0..most).map(|k| frames[k * (count - 1) / (most - 1)]).collect()
 }
 
-fn subject(
-    film: &FilmFolder,
-    plan: &Plan,
-    views: Views,
-    frames: &[usize],
-    format: ExportFormat,
-) -> Result<Subject, FilmError> {
-    let camera = CameraPath {
-        poses: views.cameras.iter().map(Pose::of).collect(),
-        lights: of_lights(&views.lights),
-        sky: 0.5 * (views.look.sky + views.look.ground),
-        up: views.up,
-    };
-    let colors = Colors::of_look(&views.look, views.field);
-    Subject::of(film, &plan.scene.name, frames, plan.scene.output.frame_rate, camera, colors, format.wants())
-}
-
 /// Of all that an export is made of beside the frames.
-fn key_of_all(film: &FilmFolder, format: ExportFormat, plan: &Plan, views: &Views) -> Key {
+fn key_of_all(film: &FilmFolder, format: ExportFormat, view: &View) -> Key {
     Digest::of("export")
         .count(EXPORTER as usize)
         .text(env!("CARGO_PKG_VERSION"))
         .text(format.name())
-        .text(&plan.scene.name)
-        .shown(&plan.scene.output.frame_rate)
+        .text(&film.manifest().scene)
         .key(film.manifest().mesh_sha256)
-        .key(views.key)
+        .shown(&view.frame_rate)
+        .shown(&view.key)
         .finish()
 }
 
@@ -129,34 +88,42 @@ struct Work<'a> {
     restart: bool,
 }
 
-/// The states of frames as keys, each with that of the first frame of the film, which fields are measured against.
-type States = Vec<(usize, Key, Mark)>;
+/// A frame that is exported.
+#[derive(Clone, Copy)]
+struct Shown {
+    /// Its place among them, from 0.
+    place: usize,
+    /// Of its state, and of that of the first frame of the film, which fields are measured against.
+    key: Key,
+    mark: Mark,
+}
 
 impl Work<'_> {
     fn write(&self, key: Key, frames: &[usize], arrivals: &Arrivals, watch: &mut Watch) -> Result<Exported, FilmError> {
         let missing = |frame| FilmError::NoSuchFrame { folder: self.film.folder().to_owned(), frame };
         let contents = |frame| self.film.contents(frame).map_err(|_| missing(frame));
         let first = contents(1)?.0;
-        let mut states = States::new();
+        let mut states = Vec::new();
         for (place, &number) in frames.iter().enumerate() {
             let (state, report) = contents(number)?;
             let camera = self.subject.camera.poses.get(place).map(|pose| pose.world_from_eye);
             let of_frame = Digest::of("frame").key(key).key(first).key(state).shown(&camera).finish();
-            states.push((number, of_frame, Mark { number, time: report.time }));
+            states.push(Shown { place, key: of_frame, mark: Mark { number, time: report.time } });
         }
-        let of_all = states.iter().fold(Digest::of("frames").key(key), |digest, state| digest.key(state.1)).finish();
+        let of_all = states.iter().fold(Digest::of("frames").key(key), |digest, state| digest.key(state.key)).finish();
         watch(Event::Begin("export", frames.len()));
         let is_fresh = |file: &str, key| !self.restart && self.ledger.is_fresh(file, key);
-        let marks: Vec<Mark> = states.iter().map(|state| state.2).collect();
+        let marks: Vec<Mark> = states.iter().map(|state| state.mark).collect();
         let mut exported = Exported::default();
         let mut spools = Spools::new(self.to);
         // One file of each frame: only those that are missing or stale. One of all: all frames, or nothing.
         let ending = self.layout.ending();
         let whole: Vec<&str> = self.layout.end(&marks, &[]).into_iter().map(|(name, _)| name).collect();
         let has_all = whole.iter().all(|name| is_fresh(name, of_all));
-        let wanted: States = match ending {
+        let wanted: Vec<Shown> = match ending {
             Some(ending) => {
-                states.iter().filter(|state| !is_fresh(&file_of_frame(state.0, ending), state.1)).copied().collect()
+                let is_stale = |state: &Shown| !is_fresh(&file_of_frame(state.mark.number, ending), state.key);
+                states.into_iter().filter(is_stale).collect()
             }
             None if has_all => Vec::new(),
             None => states,
@@ -169,17 +136,20 @@ impl Work<'_> {
         in_order(
             wanted.len(),
             at_a_time(self.bytes_of_frame()),
-            |wave| wave.map(|k| Ok((k, self.film.read_frame(wanted[k].0)?))).collect::<Result<Vec<_>, FilmError>>(),
+            |wave| {
+                wave.map(|k| Ok((k, self.film.read_frame(wanted[k].mark.number)?)))
+                    .collect::<Result<Vec<_>, FilmError>>()
+            },
             |wave: &Vec<(usize, Frame)>, k| {
                 if arrivals.is_stopped() {
                     return Err(FilmError::Stopped);
                 }
                 let frame = &wave[k - wave[0].0].1;
-                let pieces = self.layout.frame(&self.subject.moment(frame)?);
+                let pieces = self.layout.frame(&self.subject.moment(wanted[k].place, frame)?);
                 Ok((k, pieces.map_err(|reason| FilmError::write(self.to, reason))?))
             },
             |(k, pieces)| {
-                let (number, key, _) = wanted[k];
+                let Shown { key, mark: Mark { number, .. }, .. } = wanted[k];
                 if let Some(ending) = ending {
                     let (name, bytes) = (file_of_frame(number, ending), pieces.concat());
                     let path = self.to.join(&name);
@@ -213,21 +183,16 @@ impl Work<'_> {
     }
 
     /// Removes files of frames that the film does not have, if they were exported from here.
-    fn clear(&self, film: &FilmFolder) -> Result<Vec<String>, FilmError> {
+    fn clear(&self) -> Result<Vec<String>, FilmError> {
         let Some(ending) = self.layout.ending() else { return Ok(Vec::new()) };
         let number = |name: &str| -> Option<usize> {
             name.strip_prefix("film.")?.strip_suffix(ending)?.strip_suffix('.')?.parse().ok()
         };
-        let beyond = |name: &String| number(name).is_some_and(|number| number > film.manifest().frame_count);
+        let beyond = |name: &String| number(name).is_some_and(|number| number > self.film.manifest().frame_count);
         let old: Vec<String> = self.ledger.files().into_iter().filter(beyond).collect();
         for name in &old {
             let path = self.to.join(name);
-            match fs::remove_file(&path) {
-                Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                    return Err(FilmError::write(&path, error));
-                }
-                _ => {}
-            }
+            whole_file::remove(&path).map_err(|error| FilmError::write(&path, error))?;
         }
         Ok(old)
     }

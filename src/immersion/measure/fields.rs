@@ -42,6 +42,12 @@ impl FieldName {
         ("generators", FieldName::Generators),
     ];
 
+    /// Whether it has a value for each face rather than each vertex.
+    pub fn is_per_face(self) -> bool {
+        use FieldName::{BendingAngle, EnergyDensity, Generators, LengthError};
+        matches!(self, LengthError | EnergyDensity | BendingAngle | Generators)
+    }
+
     /// Its name, as in `length_error`.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(_, field)| *field == self).map_or("", |(name, _)| name)
@@ -58,6 +64,11 @@ pub enum FieldValues {
 }
 
 impl FieldValues {
+    /// Whether there is one for each triangle rather than each vertex.
+    pub fn is_per_face(&self) -> bool {
+        matches!(self, FieldValues::PerFace(_))
+    }
+
     /// The values in order, wherever they are.
     pub fn all(&self) -> &[f32] {
         match self {

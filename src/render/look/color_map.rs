@@ -41,6 +41,16 @@ static CATEGORIES: LazyLock<[Vec3; 10]> = LazyLock::new(|| {
 });
 
 impl ColorMap {
+    /// All of them by the names.
+    pub const ALL: [(&'static str, ColorMap); 6] = [
+        ("viridis", ColorMap::Viridis),
+        ("inferno", ColorMap::Inferno),
+        ("cividis", ColorMap::Cividis),
+        ("diverging", ColorMap::Diverging),
+        ("cyclic", ColorMap::Cyclic),
+        ("categorical", ColorMap::Categorical),
+    ];
+
     /// A map that suits a field: diverging for values with a sign, categorical for numbers of things.
     pub fn suiting(field: FieldName) -> ColorMap {
         match field {

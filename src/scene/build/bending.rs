@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::immersion::{TargetBending, bending_angles};
 use crate::mesh::{Mesh, MeshError, Surface, read_bending_angles, read_positions, select_edges};
-use crate::scene::{BendingFrom, BendingSection, Scene, SceneError};
+use crate::scene::{BendingFrom, Scene, SceneError};
 use crate::timeline::{Ease, Extrapolation, Keyframes, Parameters};
 
 /// The angles that a file decrees, or those of its positions, |E|; none where the file says none.
@@ -49,48 +49,31 @@ impl Scene {
             },
             None => angles_of(positions),
         };
-        let angles = match &section.from {
+        let keys = match &section.from {
             None => None,
-            Some(BendingFrom::Mesh) => Some(of_mesh()?),
-            Some(BendingFrom::Start) => Some(angles_of(start)?),
+            Some(BendingFrom::Mesh) => Some(Keyframes::constant(of_mesh()?)),
+            Some(BendingFrom::Start) => Some(Keyframes::constant(angles_of(start)?)),
             // A reflection keeps the surface's orientation and turns every fold around.
-            Some(BendingFrom::Mirror) => Some(of_mesh()?.into_iter().map(|angle| Some(-angle?)).collect()),
+            Some(BendingFrom::Mirror) => {
+                Some(Keyframes::constant(of_mesh()?.into_iter().map(|angle| Some(-angle?)).collect()))
+            }
             Some(BendingFrom::File(path)) => {
                 let angles = angles_of_file(&self.resolve(path), mesh);
-                Some(angles.map_err(|error| self.complain_about("bending.file", &error))?)
+                Some(Keyframes::constant(angles.map_err(|error| self.complain_about("bending.file", &error))?))
             }
             Some(BendingFrom::Files(files)) => {
                 let (times, paths) = self.keyframe_files("bending", files, mesh)?;
                 let angles = paths.iter().map(|path| angles_of_file(path, mesh)).collect::<Result<_, _>>();
                 let angles = angles.map_err(|error| self.complain_about("bending.files", &error))?;
                 let keys = Keyframes::new(times, angles, Ease::Linear, Extrapolation::Hold);
-                let keys = keys.map_err(|error| self.complain_about("bending.files", &error))?;
-                let amount = self.number("bending.amount", &section.amount, parameters)?;
-                return self.with_regions(
-                    TargetBending::of_keyframes(mesh, keys, amount),
-                    section,
-                    surface,
-                    parameters,
-                );
+                Some(keys.map_err(|error| self.complain_about("bending.files", &error))?)
             }
         };
         let amount = self.number("bending.amount", &section.amount, parameters)?;
-        let bending = match angles {
-            Some(angles) => TargetBending::of_keyframes(mesh, Keyframes::constant(angles), amount),
+        let mut bending = match keys {
+            Some(keys) => TargetBending::of_keyframes(mesh, keys, amount),
             None => TargetBending::flat(mesh),
         };
-        self.with_regions(bending, section, surface, parameters)
-    }
-
-    /// With the angles of the regions in place of what held before.
-    fn with_regions(
-        &self,
-        mut bending: TargetBending,
-        section: &BendingSection,
-        surface: &Surface,
-        parameters: &Arc<Parameters>,
-    ) -> Result<Option<TargetBending>, SceneError> {
-        let mesh = &surface.mesh;
         for (k, region) in section.regions.iter().enumerate() {
             let key = format!("bending.region[{k}]");
             let edges = select_edges(&region.edges, mesh, surface.places())

@@ -116,14 +116,6 @@ const RANGE_DOC: &str = "Values at the ends of the map, as files have them: a le
                          angle in degrees; left out, those of the whole film.";
 
 fn shown_field(table: &mut Table) -> ColorSection {
-    let maps = [
-        ("viridis", ColorMap::Viridis),
-        ("inferno", ColorMap::Inferno),
-        ("cividis", ColorMap::Cividis),
-        ("diverging", ColorMap::Diverging),
-        ("cyclic", ColorMap::Cyclic),
-        ("categorical", ColorMap::Categorical),
-    ];
     let range: Option<[f64; 2]> = table.key("range", RANGE_DOC).optional([0.0, 0.01]);
     if let Some([low, high]) = range
         && low >= high
@@ -132,7 +124,7 @@ fn shown_field(table: &mut Table) -> ColorSection {
     }
     ColorSection {
         field: table.choice("field", "Which quantity.", &FieldName::ALL).unwrap_or(FieldName::LengthError),
-        map: table.choice("map", "The colours; left out, those that suit the field.", &maps),
+        map: table.choice("map", "The colours; left out, those that suit the field.", &ColorMap::ALL),
         range,
         legend: table.key("legend", "Whether a legend is drawn.").or(true),
     }

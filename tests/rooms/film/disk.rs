@@ -26,7 +26,7 @@ fn kept(places: Option<&Vec<DVec3>>) -> FilmMesh {
 
 fn film() -> FilmSpec {
     let checks = ChecksSection { max_rims: Some(0), ..Default::default() };
-    FilmSpec { scene: "test".into(), sections: Default::default(), keys: keys(0, 4), checks }
+    FilmSpec { scene: "test".into(), sections: Default::default(), keys: keys(0, 4), checks, text: String::new() }
 }
 
 /// Of so many frames; the same number makes the same film.

@@ -28,6 +28,7 @@ fn film(folder: &Path, triangles: &[[u32; 3]], frames: &[Vec<DVec3>]) {
         sections: Default::default(),
         keys: (1..=frames.len()).map(|frame| Key::of_bytes(&[frame as u8])).collect(),
         checks: scene("").checks.clone(),
+        text: String::new(),
     };
     let kept = FilmMesh { places: Some(frames[0].clone()), ..FilmMesh::of(mesh.clone().into()) };
     let cache = FilmFolder::open_or_create(folder, &film, &kept).expect("a film").0;

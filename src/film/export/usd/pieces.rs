@@ -36,7 +36,7 @@ pub(super) fn of_frame(subject: &Subject, moment: &Moment) -> Vec<Vec<u8>> {
     let at = |v: u32| moment.positions[v as usize];
     let at_frame = |value: &str| sample(moment.number, value);
     let counts = |count: usize| at_frame(&integers(vec![2; count]));
-    let pose = subject.frames.iter().position(|&k| k == moment.number).and_then(|k| subject.camera.poses.get(k));
+    let pose = subject.camera.poses.get(moment.place);
     let of = |attribute: Attribute| match attribute {
         Attribute::Points => at_frame(&places(moment.positions.iter().copied())),
         Attribute::Extent => at_frame(&places(extent(&moment.positions))),
@@ -56,10 +56,9 @@ pub(super) fn of_frame(subject: &Subject, moment: &Moment) -> Vec<Vec<u8>> {
         Attribute::ApertureUp => pose.map(|pose| at_frame(&one(aperture(pose)))).unwrap_or_default(),
     };
     let mut pieces: Vec<Vec<u8>> = ALL.map(of).into();
-    let is_first = subject.frames.first() == Some(&moment.number);
     pieces.extend(moment.fields.iter().map(|(name, values)| match name {
         // Generators are the same in all frames.
-        FieldName::Generators if is_first => numbers(values.all().iter().copied()).into_bytes(),
+        FieldName::Generators if moment.place == 0 => numbers(values.all().iter().copied()).into_bytes(),
         FieldName::Generators => Vec::new(),
         _ => at_frame(&numbers(values.all().iter().copied())),
     }));
