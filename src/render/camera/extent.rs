@@ -23,6 +23,8 @@ pub struct Extent {
 
 /// Positions or triangles that are looked at in one go.
 const PIECE: usize = 4096;
+/// Points of which a ball is made.
+const TOGETHER: usize = 32;
 /// How many directions are probed for outermost points. A sphere is missed by less than 1 %.
 const DIRECTIONS: usize = 512;
 /// Variances that differ by no more than this share are those of something round, whose axes mean nothing.
@@ -59,7 +61,10 @@ impl Extent {
         let directions = directions();
         let outermost = positions
             .par_chunks(PIECE)
-            .map(|piece| outermost(piece.iter().copied().filter(|point| point.is_finite()), origin, &directions))
+            .map(|piece| {
+                let finite: Vec<DVec3> = piece.iter().copied().filter(|point| point.is_finite()).collect();
+                outermost(&finite, origin, &directions)
+            })
             .collect::<Vec<_>>()
             .concat();
         let outermost = outermost_of(&outermost, origin, &directions);
@@ -113,21 +118,47 @@ fn signed(axis: DVec3, open_side: DVec3) -> DVec3 {
     axis * if openness.abs() > 0.05 { openness.signum() } else { upright_sign(axis) }
 }
 
-/// For each direction the outermost of some points; nothing if there is none.
-fn outermost(points: impl Iterator<Item = DVec3>, origin: DVec3, directions: &[DVec3]) -> Vec<DVec3> {
-    let mut best: Vec<(DVec3, f64)> = Vec::new();
-    for point in points {
-        if best.is_empty() {
-            best = vec![(point, f64::MIN); directions.len()];
-        }
+/// For each direction the first of the outermost of some points; nothing if there is none.
+///
+/// Of points that follow each other, which mostly lie together, none is looked at where the ball around them does not reach
+/// beyond what was found.
+fn outermost(points: &[DVec3], origin: DVec3, directions: &[DVec3]) -> Vec<DVec3> {
+    let Some(&first) = points.first() else { return Vec::new() };
+    let mut best = vec![(first, f64::MIN); directions.len()];
+    for neighbors in points.chunks(TOGETHER) {
+        let ball = Ball::around(neighbors, origin);
         for (best, &direction) in best.iter_mut().zip(directions) {
-            let reach = (point - origin).dot(direction);
-            if reach > best.1 {
-                *best = (point, reach);
+            if ball.farthest(direction) <= best.1 {
+                continue;
+            }
+            for &point in neighbors {
+                let reach = (point - origin).dot(direction);
+                if reach > best.1 {
+                    *best = (point, reach);
+                }
             }
         }
     }
     best.into_iter().map(|(point, _)| point).collect()
+}
+
+/// A ball that has points inside, also after rounding.
+struct Ball {
+    center: DVec3,
+    radius: f64,
+}
+
+impl Ball {
+    fn around(points: &[DVec3], origin: DVec3) -> Ball {
+        let center = points.iter().fold(DVec3::ZERO, |sum, &point| sum + (point - origin)) / points.len() as f64;
+        let radius = points.iter().map(|&point| (point - origin).distance(center)).fold(0.0, f64::max);
+        Ball { center, radius: radius + 1e-12 * (radius + center.length()) }
+    }
+
+    /// Along a direction.
+    fn farthest(&self, direction: DVec3) -> f64 {
+        self.center.dot(direction) + self.radius
+    }
 }
 
 /// Of points that are outermost among some, those that are so among all.

@@ -34,33 +34,33 @@ pub(super) const APERTURE: f64 = 24.0;
 /// The pieces of a frame.
 pub(super) fn of_frame(subject: &Subject, moment: &Moment) -> Vec<Vec<u8>> {
     let at = |v: u32| moment.positions[v as usize];
-    let at_frame = |value: &str| sample(moment.number, value);
-    let counts = |count: usize| at_frame(&integers(vec![2; count]));
+    let at_frame = |value: String| sample(moment.number, value);
+    let counts = |count: usize| at_frame(integers(vec![2; count]));
     let pose = subject.camera.poses.get(moment.place);
     let of = |attribute: Attribute| match attribute {
-        Attribute::Points => at_frame(&places(moment.positions.iter().copied())),
-        Attribute::Extent => at_frame(&places(extent(&moment.positions))),
-        Attribute::Normals => at_frame(&points(moment.normals.iter().copied())),
+        Attribute::Points => at_frame(places(moment.positions.iter().copied())),
+        Attribute::Extent => at_frame(places(extent(&moment.positions))),
+        Attribute::Normals => at_frame(points(moment.normals.iter().copied())),
         Attribute::Color => match &moment.colors {
-            Some(painted) => at_frame(&points(painted.colors.iter().copied())),
+            Some(painted) => at_frame(points(painted.colors.iter().copied())),
             None => Vec::new(),
         },
-        Attribute::RimPoints => at_frame(&places(moment.rims.iter().flatten().map(|&v| at(v)))),
+        Attribute::RimPoints => at_frame(places(moment.rims.iter().flatten().map(|&v| at(v)))),
         Attribute::RimCounts => counts(moment.rims.len()),
-        Attribute::CrossingPoints => at_frame(&places(moment.crossings.iter().flatten().copied())),
+        Attribute::CrossingPoints => at_frame(places(moment.crossings.iter().flatten().copied())),
         Attribute::CrossingCounts => counts(moment.crossings.len()),
-        Attribute::Boundary => at_frame(&places(subject.boundary.iter().flatten().map(|&v| at(v)))),
-        Attribute::Pins => at_frame(&places(subject.pins.iter().map(|&v| at(v)))),
-        Attribute::Camera => pose.map(|pose| at_frame(&matrix(pose.world_from_eye))).unwrap_or_default(),
-        Attribute::ApertureAcross => pose.map(|pose| at_frame(&one(aperture(pose) * pose.aspect))).unwrap_or_default(),
-        Attribute::ApertureUp => pose.map(|pose| at_frame(&one(aperture(pose)))).unwrap_or_default(),
+        Attribute::Boundary => at_frame(places(subject.boundary.iter().flatten().map(|&v| at(v)))),
+        Attribute::Pins => at_frame(places(subject.pins.iter().map(|&v| at(v)))),
+        Attribute::Camera => pose.map(|pose| at_frame(matrix(pose.world_from_eye))).unwrap_or_default(),
+        Attribute::ApertureAcross => pose.map(|pose| at_frame(one(aperture(pose) * pose.aspect))).unwrap_or_default(),
+        Attribute::ApertureUp => pose.map(|pose| at_frame(one(aperture(pose)))).unwrap_or_default(),
     };
     let mut pieces: Vec<Vec<u8>> = ALL.map(of).into();
     pieces.extend(moment.fields.iter().map(|(name, values)| match name {
         // Generators are the same in all frames.
         FieldName::Generators if moment.place == 0 => numbers(values.all().iter().copied()).into_bytes(),
         FieldName::Generators => Vec::new(),
-        _ => at_frame(&numbers(values.all().iter().copied())),
+        _ => at_frame(numbers(values.all().iter().copied())),
     }));
     pieces
 }

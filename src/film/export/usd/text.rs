@@ -25,12 +25,12 @@ pub(super) fn number(text: &mut String, x: f32) {
 
 /// `[1, 2]`
 pub(super) fn numbers(values: impl IntoIterator<Item = f32>) -> String {
-    list(values, number)
+    list(values, 14, number)
 }
 
 /// `[(1, 2, 3)]`
 pub(super) fn points(points: impl IntoIterator<Item = Vec3>) -> String {
-    list(points, |text, point| {
+    list(points, 40, |text, point| {
         text.push('(');
         number(text, point.x);
         text.push_str(", ");
@@ -48,7 +48,7 @@ pub(super) fn places(places: impl IntoIterator<Item = DVec3>) -> String {
 
 /// `[1, 2]`, of whole numbers.
 pub(super) fn integers(values: impl IntoIterator<Item = usize>) -> String {
-    list(values, |text, value| {
+    list(values, 8, |text, value| {
         let _ = write!(text, "{value}");
     })
 }
@@ -61,13 +61,18 @@ pub(super) fn matrix(of: DAffine3) -> String {
 }
 
 /// The value of an attribute at a frame.
-pub(super) fn sample(frame: usize, value: &str) -> Vec<u8> {
-    format!("            {frame}: {value},\n").into_bytes()
+pub(super) fn sample(frame: usize, mut value: String) -> Vec<u8> {
+    value.insert_str(0, &format!("            {frame}: "));
+    value.push_str(",\n");
+    value.into_bytes()
 }
 
-fn list<T>(values: impl IntoIterator<Item = T>, mut write: impl FnMut(&mut String, T)) -> String {
-    let mut text = String::from("[");
-    for (k, value) in values.into_iter().enumerate() {
+/// A list of values of about so many letters each.
+fn list<T>(values: impl IntoIterator<Item = T>, letters: usize, mut write: impl FnMut(&mut String, T)) -> String {
+    let values = values.into_iter();
+    let mut text = String::with_capacity(64 + values.size_hint().0 * letters);
+    text.push('[');
+    for (k, value) in values.enumerate() {
         if k > 0 {
             text.push_str(", ");
         }
