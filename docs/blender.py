@@ -20,10 +20,15 @@ def film(path):
     surface = next(thing for thing in new if thing.type == "MESH" and "length_error" in thing.data.attributes)
     surface.data.shade_smooth()
     surface.data.materials.clear()
-    surface.data.materials.append(clay())
+    surface.data.materials.append(clay("backColor" if "backColor" in surface.data.attributes else "displayColor"))
     for thing in new:
         if thing.type == "CAMERA":
             scene.camera = thing
+            # Pictures have the film's shape; where they are made wider, its height stays.
+            camera, picture = thing.data, scene.render
+            picture.resolution_y = 1080
+            picture.resolution_x = 2 * round(540 * camera.sensor_width / camera.sensor_height)
+            camera.sensor_fit = "VERTICAL"
         elif thing.type == "LIGHT":
             # Blender takes a distant light of USD four times as strong.
             thing.data.energy /= 4
@@ -52,16 +57,20 @@ def sky():
     return world
 
 
-def clay():
-    """A material that shows the colours of the film."""
+def clay(back):
+    """A material that shows the colours of the film, and those named here on the back."""
     material = bpy.data.materials.new("film")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    surface = nodes["Principled BSDF"]
+    surface, side = nodes["Principled BSDF"], nodes.new("ShaderNodeNewGeometry")
     surface.inputs["Roughness"].default_value = 0.55
-    color = nodes.new("ShaderNodeAttribute")
-    color.attribute_name = "displayColor"
-    links.new(color.outputs["Color"], surface.inputs["Base Color"])
+    mix = nodes.new("ShaderNodeMixRGB")
+    for name, socket in (("displayColor", "Color1"), (back, "Color2")):
+        color = nodes.new("ShaderNodeAttribute")
+        color.attribute_name = name
+        links.new(color.outputs["Color"], mix.inputs[socket])
+    links.new(side.outputs["Backfacing"], mix.inputs["Fac"])
+    links.new(mix.outputs["Color"], surface.inputs["Base Color"])
     return material
 
 
@@ -69,8 +78,9 @@ def ink(name):
     """A dark material, red for rims."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
-    color = (0.6, 0.02, 0.02, 1) if name.startswith("rims") else (0.02, 0.02, 0.02, 1)
-    material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
+    inputs = material.node_tree.nodes["Principled BSDF"].inputs
+    inputs["Base Color"].default_value = (0.6, 0.02, 0.02, 1) if name.startswith("rims") else (0.02, 0.02, 0.02, 1)
+    inputs["Roughness"].default_value, inputs["Specular IOR Level"].default_value = 1, 0
     return material
 
 
