@@ -24,11 +24,10 @@ def film(path):
     for thing in new:
         if thing.type == "CAMERA":
             scene.camera = thing
-            # Pictures have the film's shape; where they are made wider, its height stays.
-            camera, picture = thing.data, scene.render
-            picture.resolution_y = 1080
-            picture.resolution_x = 2 * round(540 * camera.sensor_width / camera.sensor_height)
-            camera.sensor_fit = "VERTICAL"
+            # Pictures have the shape of those of the film. What the camera sees is known at a frame only.
+            scene.frame_set(scene.frame_start)
+            scene.render.resolution_y = 1080
+            scene.render.resolution_x = 2 * round(540 * thing.data.sensor_width / thing.data.sensor_height)
         elif thing.type == "LIGHT":
             # Blender takes a distant light of USD four times as strong.
             thing.data.energy /= 4
@@ -46,7 +45,7 @@ def sky():
     world.use_nodes = True
     nodes, links = world.node_tree.nodes, world.node_tree.links
     seen, light = nodes["Background"], nodes.new("ShaderNodeBackground")
-    seen.inputs["Color"].default_value = (0.88, 0.86, 0.83, 1)
+    seen.inputs["Color"].default_value = (0.905, 0.896, 0.863, 1)
     light.inputs["Color"].default_value = (0.3, 0.3, 0.31, 1)
     # What is seen is brighter than what it gives.
     rays, mix = nodes.new("ShaderNodeLightPath"), nodes.new("ShaderNodeMixShader")
@@ -63,7 +62,7 @@ def clay(back):
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
     surface, side = nodes["Principled BSDF"], nodes.new("ShaderNodeNewGeometry")
-    surface.inputs["Roughness"].default_value = 0.55
+    surface.inputs["Roughness"].default_value, surface.inputs["Specular IOR Level"].default_value = 0.4, 0.35
     mix = nodes.new("ShaderNodeMixRGB")
     for name, socket in (("displayColor", "Color1"), (back, "Color2")):
         color = nodes.new("ShaderNodeAttribute")
