@@ -20,10 +20,14 @@ def film(path):
     surface = next(thing for thing in new if thing.type == "MESH" and "length_error" in thing.data.attributes)
     surface.data.shade_smooth()
     surface.data.materials.clear()
-    surface.data.materials.append(clay())
+    surface.data.materials.append(clay("backColor" if "backColor" in surface.data.attributes else "displayColor"))
     for thing in new:
         if thing.type == "CAMERA":
             scene.camera = thing
+            # Pictures have the shape of those of the film. What the camera sees is known at a frame only.
+            scene.frame_set(scene.frame_start)
+            scene.render.resolution_y = 1080
+            scene.render.resolution_x = 2 * round(540 * thing.data.sensor_width / thing.data.sensor_height)
         elif thing.type == "LIGHT":
             # Blender takes a distant light of USD four times as strong.
             thing.data.energy /= 4
@@ -41,7 +45,7 @@ def sky():
     world.use_nodes = True
     nodes, links = world.node_tree.nodes, world.node_tree.links
     seen, light = nodes["Background"], nodes.new("ShaderNodeBackground")
-    seen.inputs["Color"].default_value = (0.88, 0.86, 0.83, 1)
+    seen.inputs["Color"].default_value = (0.905, 0.896, 0.863, 1)
     light.inputs["Color"].default_value = (0.3, 0.3, 0.31, 1)
     # What is seen is brighter than what it gives.
     rays, mix = nodes.new("ShaderNodeLightPath"), nodes.new("ShaderNodeMixShader")
@@ -52,16 +56,20 @@ def sky():
     return world
 
 
-def clay():
-    """A material that shows the colours of the film."""
+def clay(back):
+    """A material that shows the colours of the film, and those named here on the back."""
     material = bpy.data.materials.new("film")
     material.use_nodes = True
     nodes, links = material.node_tree.nodes, material.node_tree.links
-    surface = nodes["Principled BSDF"]
-    surface.inputs["Roughness"].default_value = 0.55
-    color = nodes.new("ShaderNodeAttribute")
-    color.attribute_name = "displayColor"
-    links.new(color.outputs["Color"], surface.inputs["Base Color"])
+    surface, side = nodes["Principled BSDF"], nodes.new("ShaderNodeNewGeometry")
+    surface.inputs["Roughness"].default_value, surface.inputs["Specular IOR Level"].default_value = 0.4, 0.35
+    mix = nodes.new("ShaderNodeMixRGB")
+    for name, socket in (("displayColor", "Color1"), (back, "Color2")):
+        color = nodes.new("ShaderNodeAttribute")
+        color.attribute_name = name
+        links.new(color.outputs["Color"], mix.inputs[socket])
+    links.new(side.outputs["Backfacing"], mix.inputs["Fac"])
+    links.new(mix.outputs["Color"], surface.inputs["Base Color"])
     return material
 
 
@@ -69,8 +77,9 @@ def ink(name):
     """A dark material, red for rims."""
     material = bpy.data.materials.new(name)
     material.use_nodes = True
-    color = (0.6, 0.02, 0.02, 1) if name.startswith("rims") else (0.02, 0.02, 0.02, 1)
-    material.node_tree.nodes["Principled BSDF"].inputs["Base Color"].default_value = color
+    inputs = material.node_tree.nodes["Principled BSDF"].inputs
+    inputs["Base Color"].default_value = (0.6, 0.02, 0.02, 1) if name.startswith("rims") else (0.02, 0.02, 0.02, 1)
+    inputs["Roughness"].default_value, inputs["Specular IOR Level"].default_value = 1, 0
     return material
 
 

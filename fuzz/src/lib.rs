@@ -59,6 +59,8 @@ pub fn arrays(bytes: &[u8], ending: &str) {
         let _ = mesh::read_lengths(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
         let _ = mesh::read_positions(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
         let _ = mesh::read_bending_angles(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
+        let _ = mesh::read_length_keyframes(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
+        let _ = mesh::read_bending_keyframes(&path, &desk.octahedron.mesh).map_err(|error| error.to_string());
     });
 }
 

@@ -14,6 +14,9 @@ pub const MOST_VERTICES: usize = u32::MAX as usize - 1;
 /// precision where pictures are made.
 pub const LARGEST_COORDINATE: f64 = 1e15;
 
+/// More keyframes than any film needs, each of which has a number for every edge.
+pub const MOST_KEYFRAMES: usize = 10_000;
+
 /// Whether a point is one, not too far away to compute with.
 pub fn is_in_reach(point: glam::DVec3) -> bool {
     point.is_finite() && point.abs().max_element() <= LARGEST_COORDINATE

@@ -24,12 +24,12 @@ pub use component::{Component, Subset};
 pub use connectivity::Mesh;
 pub use error::{Fault, MeshError};
 pub use ids::{EdgeId, FaceId, HalfedgeId, VertexId};
-pub use limits::{LARGEST_COORDINATE, MOST_FACES, MOST_VERTICES, is_in_reach};
+pub use limits::{LARGEST_COORDINATE, MOST_FACES, MOST_KEYFRAMES, MOST_VERTICES, is_in_reach};
 pub use numbering::{Numbering, UnknownVertex};
 pub(crate) use read::is_binary_stl;
 pub use read::{
-    FileFormat, read, read_bending_angles, read_edge_lengths, read_lengths, read_positions, read_vertex_numbers,
-    read_welded,
+    FileFormat, Keyframe, read, read_bending_angles, read_bending_keyframes, read_edge_lengths, read_length_keyframes,
+    read_lengths, read_positions, read_vertex_numbers, read_welded,
 };
 pub use repair::{Repaired, repair};
 pub use selection::{EdgeSelection, Selection, SelectionError, select_edges, select_vertices};

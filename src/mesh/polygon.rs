@@ -17,11 +17,13 @@ pub(super) struct CrossesItself;
 ///   normal (that of its area vector), so neither half of a bent quadrilateral is turned over.
 /// - Any other is given its constrained Delaunay triangulation. Cutting ears would do, were it not for straight corners,
 ///   which make flat ears or are left out; Delaunay triangles are the farthest from flat.
-/// - Where there are no positions, or all lie on one line, there is no inside, and the fan is as good as any other.
+/// - Where there are no positions, or all lie on one line, there is no inside, and the fan is as good as any other, if no vertex is
+///   visited twice.
 ///
 /// # Errors
-/// [`CrossesItself`], also if the outline only touches itself. It may visit a vertex twice, as it does where a hole is
-/// joined to the outside by a cut.
+/// [`CrossesItself`], also if the outline only touches itself, or goes along a side again. It may visit a vertex twice, as it does
+/// where a hole is joined to the outside by a cut, or a slit leads to a vertex inside: what is walked both ways has the inside
+/// on both sides. So every side is one of exactly one triangle, and no corner is lost.
 pub(super) fn cut(
     corners: &[u32],
     positions: Option<&[DVec3]>,
@@ -32,6 +34,9 @@ pub(super) fn cut(
         _ => None,
     };
     let Some(points) = points else {
+        if corners.len() > 3 && names_twice(corners) {
+            return Err(CrossesItself);
+        }
         triangles.extend(fan(corners.len()).map(|t| t.map(|k| corners[k])));
         return Ok(());
     };
@@ -43,9 +48,17 @@ pub(super) fn cut(
         Some(flattened) if outline.len() > 3 && !is_convex(&flattened) => {
             triangles.extend(delaunay(&outline, &flattened)?);
         }
+        None if outline.len() > 3 && names_twice(&outline) => return Err(CrossesItself),
         _ => triangles.extend(fan(outline.len()).map(|t| t.map(|k| outline[k]))),
     }
     Ok(())
+}
+
+/// Whether a vertex is more than one of the corners, so that only places can tell how to cut.
+fn names_twice(corners: &[u32]) -> bool {
+    let mut sorted = corners.to_vec();
+    sorted.sort_unstable();
+    sorted.array_windows().any(|[a, b]| a == b)
 }
 
 fn fan(corners: usize) -> impl Iterator<Item = [usize; 3]> {
@@ -134,9 +147,13 @@ fn delaunay(outline: &[u32], points: &[DVec2]) -> Result<Vec<[u32; 3]>, CrossesI
     }
     // How often the outline goes around a face: once more on the left of a side than on its right.
     let mut passes = vec![0; all.num_directed_edges()];
+    let mut is_side = vec![false; all.num_directed_edges()];
     for (a, b) in sides() {
         // A side that leads through another corner is no edge.
         let edge = all.get_edge_from_neighbors(a, b).ok_or(CrossesItself)?;
+        if std::mem::replace(&mut is_side[edge.fix().index()], true) {
+            return Err(CrossesItself);
+        }
         passes[edge.fix().index()] += 1;
         passes[edge.rev().fix().index()] -= 1;
     }
@@ -152,6 +169,10 @@ fn delaunay(outline: &[u32], points: &[DVec2]) -> Result<Vec<[u32; 3]>, CrossesI
         crossed.extend([edge.rev().next(), edge.rev().prev()]);
     }
     if around.iter().flatten().any(|times| !(0..=1).contains(times)) {
+        return Err(CrossesItself);
+    }
+    // A side with the outside on its left leads out of the polygon and back again.
+    if all.directed_edges().any(|edge| is_side[edge.fix().index()] && around[edge.face().fix().index()] != Some(1)) {
         return Err(CrossesItself);
     }
     let inside = all.inner_faces().filter(|face| around[face.fix().index()] == Some(1));

@@ -5,9 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::data::{FilesSection, Scene};
-
-/// More keyframes than any film needs, each of which has a number for every edge.
-const MOST_FILES: usize = 10_000;
+use crate::mesh::MOST_KEYFRAMES;
 
 /// Why there are no files: reason and remedy.
 type NoFiles = (String, String);
@@ -38,8 +36,8 @@ impl Scene {
             }
             files.extend(found);
         }
-        if files.len() > MOST_FILES {
-            let reason = format!("there are {} files, {MOST_FILES} are the limit", files.len());
+        if files.len() > MOST_KEYFRAMES {
+            let reason = format!("there are {} files, {MOST_KEYFRAMES} are the limit", files.len());
             return Err((reason, "take fewer of them; what is between is interpolated".into()));
         }
         Ok(files)

@@ -6,6 +6,10 @@ use std::path::Path;
 use std::time::SystemTime;
 
 use crate::support::program;
+use immerse::film::FilmFolder;
+use immerse::immersion::bending_angles;
+use immerse::mesh::EdgeId;
+use immerse::scene::Scene;
 use tempfile::TempDir;
 
 const SCENE: &str = "[mesh]\nshape = 'cylinder'\ncolumns = 6\nrows = 3\n[metric]\nformula = 'length * (1 + 0.1 * t * z)'\n\
@@ -121,6 +125,44 @@ fn a_scene_exports_what_it_names() {
     let fold: serde_json::Value = serde_json::from_str(&fold).unwrap();
     assert_eq!(fold["file_frames"].as_array().unwrap().len(), 3);
     assert_eq!(fold["edges_length"].as_array().unwrap().len(), fold["edges_vertices"].as_array().unwrap().len());
+}
+
+/// A film that was exported as FOLD asks for the lengths and angles of its frames again.
+#[test]
+fn a_film_as_keyframes_asks_for_the_same() {
+    let folder = film();
+    let at = folder.path();
+    export(at, &["--format", "fold"]);
+    let again = "[mesh]\nfile = 'out/export/film.fold'\n[metric]\nfiles = 'out/export/film.fold'\n\
+                 [bending]\nfiles = 'out/export/film.fold'\n[clock]\nframes = 4\nsteps_per_frame = 1\n";
+    fs::write(at.join("again.toml"), again).unwrap();
+    let (code, _, err) = program(at, &["simulate", "again.toml", "--out", "again"]);
+    assert_eq!(code, 0, "{err}");
+    let [first, second] = ["out", "again"].map(|name| FilmFolder::open(&at.join(name)).unwrap());
+    assert_eq!(first.mesh().unwrap().mesh.triangles(), second.mesh().unwrap().mesh.triangles());
+    let mut before: Option<Vec<f64>> = None;
+    for frame in 1..=4 {
+        let [wanted, found] = [&first, &second].map(|film| film.read_frame(frame).unwrap().edge_lengths);
+        let off = wanted.iter().zip(&found).map(|(a, b)| (a / b - 1.0).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-14 && before.as_ref() != Some(&wanted), "frame {frame} is off by {off:e}");
+        before = Some(wanted);
+    }
+    let scene = Scene::read(&at.join("again.toml")).unwrap();
+    let surface = scene.surface().unwrap();
+    let bending = scene.program(&surface).unwrap().bending.unwrap();
+    for frame in 1..=4 {
+        let positions = first.read_frame(frame).unwrap().positions;
+        let angles = bending_angles(&surface.mesh, &positions);
+        let asked = bending.at((frame - 1) as f64 / 3.0).unwrap();
+        let inside = surface.mesh.edges().filter(|e| !surface.mesh.is_boundary_edge(*e)).map(EdgeId::index);
+        let off = inside.map(|e| (angles[e] - asked[e]).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-12, "frame {frame}: an angle is off by {off:e}");
+    }
+    // Another mesh is told, with the frame.
+    let other = again.replacen("file = 'out/export/film.fold'", "shape = 'cylinder'\ncolumns = 8\nrows = 3", 1);
+    fs::write(at.join("other.toml"), other).unwrap();
+    let (code, _, err) = program(at, &["check", "other.toml"]);
+    assert!(code == 2 && err.contains("film.fold") && err.contains("its faces are not those of the mesh"), "{err}");
 }
 
 #[test]

@@ -16,7 +16,7 @@ use crate::scene::ExportFormat;
 use crate::whole_file;
 
 /// Counts the ways in which films have been exported, so that no folder mixes two.
-pub const EXPORTER: u32 = 1;
+pub const EXPORTER: u32 = 2;
 
 /// What was done about an export.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

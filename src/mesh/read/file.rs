@@ -68,14 +68,20 @@ pub(super) fn read_soup(path: &Path) -> Result<(Soup, FileFormat), MeshError> {
         FileFormat::Npy => arrays::parse_npy,
     };
     let bytes = read_bytes(path)?;
-    let soup = content::check(&bytes, format).and_then(|()| parse(&bytes)).map_err(|problem| problem.in_file(path))?;
-    check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| Problem::of_size(&error).in_file(path))?;
+    let soup = content::check(&bytes, format).and_then(|()| parse(&bytes));
+    let soup = soup.and_then(|soup| in_range(soup, format)).map_err(|problem| problem.in_file(path))?;
+    Ok((soup, format))
+}
+
+/// What a file says, if 32 bits can count it and no vertex is too far away.
+pub(super) fn in_range(soup: Soup, format: FileFormat) -> Result<Soup, Problem> {
+    check_size(soup.vertex_count, soup.triangles.len()).map_err(|error| Problem::of_size(&error))?;
     if let Some((index, place)) = soup.positions.as_deref().and_then(first_out_of_reach) {
         let counted_from = format.counts_from();
         let number = index + counted_from as usize;
         let reason = format!("vertex {number} (counted from {counted_from}) is at {place:?}, which is too far away");
         let remedy = format!("coordinates may be at most {LARGEST_COORDINATE:e}; use another unit");
-        return Err(Problem::new(reason, remedy).in_file(path));
+        return Err(Problem::new(reason, remedy));
     }
-    Ok((soup, format))
+    Ok(soup)
 }

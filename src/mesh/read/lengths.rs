@@ -26,10 +26,10 @@ const SAME_FACES: &str = "use a file with the same faces in the same order, by t
 /// # Errors
 /// [`MeshError::File`] if the file cannot be read, has other faces, misses an edge or gives it two lengths.
 pub fn read_lengths(path: &Path, mesh: &Mesh) -> Result<Option<Vec<f64>>, MeshError> {
-    let (numbers, positions) = match FileFormat::of(path) {
+    let numbers = match FileFormat::of(path) {
         Some(FileFormat::Npy) => {
             let parse = |bytes: &[u8]| arrays::parse_length_array(bytes).and_then(|array| of_array(array, mesh));
-            (parse(&read_bytes(path)?).map_err(|problem| problem.in_file(path))?, None)
+            parse(&read_bytes(path)?).map_err(|problem| problem.in_file(path))?
         }
         Some(FileFormat::Npz) => {
             let arrays = Arrays::read(&read_bytes(path)?).map_err(|problem| problem.in_file(path))?;
@@ -45,18 +45,22 @@ pub fn read_lengths(path: &Path, mesh: &Mesh) -> Result<Option<Vec<f64>>, MeshEr
             if !same {
                 return Err(Problem::new("its faces are not those of the mesh", SAME_FACES).in_file(path));
             }
-            (of_array(lengths, mesh).map_err(|problem| problem.in_file(path))?, None)
+            of_array(lengths, mesh).map_err(|problem| problem.in_file(path))?
         }
         Some(FileFormat::Fold) => {
             let (soup, _) = read_soup(path)?;
-            check_faces(&soup, mesh, path)?;
-            let positions = soup.positions.as_ref().map(|all| on(mesh, all));
-            let Some(lengths) = soup.lengths else { return Ok(None) };
-            (lengths, positions)
+            return lengths_of(&soup, mesh).map_err(|problem| problem.in_file(path));
         }
         _ => return Ok(None),
     };
-    numbers.lengths_on(mesh, positions.as_deref()).map(Some).map_err(|problem| problem.in_file(path))
+    numbers.lengths_on(mesh, None).map(Some).map_err(|problem| problem.in_file(path))
+}
+
+/// The lengths that a mesh with the same faces decrees, |E|.
+pub(super) fn lengths_of(soup: &Soup, mesh: &Mesh) -> Result<Option<Vec<f64>>, Problem> {
+    check_faces(soup, mesh)?;
+    let positions = soup.positions.as_ref().map(|all| on(mesh, all));
+    soup.lengths.as_ref().map(|lengths| lengths.lengths_on(mesh, positions.as_deref())).transpose()
 }
 
 /// Positions of the vertices of a mesh among those of a file with the same numbers.
@@ -80,10 +84,10 @@ fn of_array(lengths: LengthArray, mesh: &Mesh) -> Result<EdgeNumbers, Problem> {
     }
 }
 
-fn check_faces(soup: &Soup, mesh: &Mesh, path: &Path) -> Result<(), MeshError> {
+fn check_faces(soup: &Soup, mesh: &Mesh) -> Result<(), Problem> {
     match same_faces(soup, mesh) {
         true => Ok(()),
-        false => Err(Problem::new("its faces are not those of the mesh", SAME_FACES).in_file(path)),
+        false => Err(Problem::new("its faces are not those of the mesh", SAME_FACES)),
     }
 }
 
@@ -99,17 +103,22 @@ pub fn read_bending_angles(path: &Path, mesh: &Mesh) -> Result<Option<Vec<Option
         return Ok(None);
     }
     let (soup, _) = read_soup(path)?;
-    check_faces(&soup, mesh, path)?;
+    angles_of(&soup, mesh).map_err(|problem| problem.in_file(path))
+}
+
+/// The bending angles that a mesh with the same faces decrees, |E|.
+pub(super) fn angles_of(soup: &Soup, mesh: &Mesh) -> Result<Option<Vec<Option<f64>>>, Problem> {
+    check_faces(soup, mesh)?;
     let Some(numbers) = &soup.angles else {
         let is_flat = |positions: &[DVec3]| positions.iter().all(|p| p.z == positions[0].z);
         if soup.has_creases && soup.positions.as_deref().is_none_or(is_flat) {
             let reason =
                 "it has mountains and valleys on a flat sheet, and no `edges_foldAngle` says how far they fold";
-            return Err(Problem::new(reason, "add `edges_foldAngle`, in degrees, valleys positive").in_file(path));
+            return Err(Problem::new(reason, "add `edges_foldAngle`, in degrees, valleys positive"));
         }
         return Ok(None);
     };
-    angles_on(numbers, &soup, mesh).map(Some).map_err(|problem| problem.in_file(path))
+    angles_on(numbers, soup, mesh).map(Some)
 }
 
 fn angles_on(numbers: &EdgeNumbers, soup: &Soup, mesh: &Mesh) -> Result<Vec<Option<f64>>, Problem> {

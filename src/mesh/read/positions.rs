@@ -27,18 +27,8 @@ pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError>
         return Ok(positions);
     }
     let (soup, _) = read_soup(path)?;
-    if let (Some(positions), true) = (&soup.positions, same_faces(&soup, mesh)) {
-        let size = positions.iter().fold(0.0, |most: f64, p| p.distance(positions[0]).max(most));
-        if size > 0.0 {
-            for [a, b] in mesh.welded_numbers().filter(|numbers| numbers.iter().all(|&n| n < positions.len())) {
-                if positions[a].distance(positions[b]) > 1e-4 * size {
-                    let reason =
-                        format!("vertices {a} and {b} (counted from 0) are welded in the mesh, and lie apart here");
-                    return Err(fail(reason, "move them to one place, or write weld = \"none\" under [mesh]"));
-                }
-            }
-            return Ok(mesh.vertices().map(|v| positions[mesh.file_vertex(v)]).collect());
-        }
+    if let Some(positions) = positions_of(&soup, mesh).map_err(|problem| problem.in_file(path))? {
+        return Ok(positions);
     }
     let surface = read(path)?;
     let [here, there] = [mesh, &surface.mesh].map(Mesh::triangles);
@@ -54,6 +44,23 @@ pub fn read_positions(path: &Path, mesh: &Mesh) -> Result<Vec<DVec3>, MeshError>
         return Err(fail(reason, "use a mesh with the same faces in the same order, only its positions may differ"));
     }
     surface.positions.ok_or_else(|| fail("it has no positions".into(), "use a file that has them"))
+}
+
+/// Positions of the vertices of a mesh among those of a file with the same faces, by their numbers; |V| values. `None` where
+/// the faces are others, or there are no positions.
+pub(super) fn positions_of(soup: &Soup, mesh: &Mesh) -> Result<Option<Vec<DVec3>>, Problem> {
+    let (Some(positions), true) = (&soup.positions, same_faces(soup, mesh)) else { return Ok(None) };
+    let size = positions.iter().fold(0.0, |most: f64, p| p.distance(positions[0]).max(most));
+    if size == 0.0 {
+        return Ok(None);
+    }
+    for [a, b] in mesh.welded_numbers().filter(|numbers| numbers.iter().all(|&n| n < positions.len())) {
+        if positions[a].distance(positions[b]) > 1e-4 * size {
+            let reason = format!("vertices {a} and {b} (counted from 0) are welded in the mesh, and lie apart here");
+            return Err(Problem::new(reason, "move them to one place, or write weld = \"none\" under [mesh]"));
+        }
+    }
+    Ok(Some(mesh.vertices().map(|v| positions[mesh.file_vertex(v)]).collect()))
 }
 
 /// Positions of an `.npz` file that has no faces, as a frame of a film: one for each vertex, in the program's own order. `None`

@@ -30,6 +30,14 @@ impl Problem {
         Self::new(error.reason(), error.remedy())
     }
 
+    /// The problem of a frame of a file that has several; that at the top, number 0, needs no name.
+    pub fn of_frame(self, number: usize) -> Self {
+        match number {
+            0 => self,
+            _ => Self { reason: short(format!("frame {number}: {}", self.reason)), ..self },
+        }
+    }
+
     /// The problem as an error that names the file.
     pub fn in_file(self, path: &Path) -> MeshError {
         let Problem { line, reason, remedy } = self;

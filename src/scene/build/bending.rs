@@ -6,7 +6,9 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::immersion::{TargetBending, bending_angles};
-use crate::mesh::{Mesh, MeshError, Surface, read_bending_angles, read_positions, select_edges};
+use crate::mesh::{
+    Keyframe, Mesh, MeshError, Surface, read_bending_angles, read_bending_keyframes, read_positions, select_edges,
+};
 use crate::scene::{BendingFrom, Scene, SceneError};
 use crate::timeline::{Ease, Extrapolation, Keyframes, Parameters};
 
@@ -62,9 +64,14 @@ impl Scene {
                 Some(Keyframes::constant(angles.map_err(|error| self.complain_about("bending.file", &error))?))
             }
             Some(BendingFrom::Files(files)) => {
-                let (times, paths) = self.keyframe_files("bending", files, mesh)?;
-                let angles = paths.iter().map(|path| angles_of_file(path, mesh)).collect::<Result<_, _>>();
-                let angles = angles.map_err(|error| self.complain_about("bending.files", &error))?;
+                let angles = |path: &Path| {
+                    let angles = |key| match key {
+                        Keyframe::Decreed(angles) => angles,
+                        Keyframe::Positions(positions) => known(bending_angles(mesh, &positions)),
+                    };
+                    Ok(read_bending_keyframes(path, mesh)?.into_iter().map(angles).collect())
+                };
+                let (times, angles) = self.keyframes_of_files("bending", files, mesh, angles)?;
                 let keys = Keyframes::new(times, angles, Ease::Linear, Extrapolation::Hold);
                 Some(keys.map_err(|error| self.complain_about("bending.files", &error))?)
             }

@@ -1,10 +1,11 @@
 //! `[metric]` as edge lengths over time.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use crate::mesh::{
-    Mesh, MeshError, Surface, read_edge_lengths, read_lengths, read_positions, read_vertex_numbers, select_vertices,
+    Keyframe, Mesh, MeshError, Surface, read_edge_lengths, read_length_keyframes, read_lengths, read_positions,
+    read_vertex_numbers, select_vertices,
 };
 use crate::metric::{Change, Lengths, MetricError, MetricProgram, Region, RicciTarget, lengths_of_positions};
 use crate::scene::{ChangeKind, LengthSource, MetricChangeSection, RicciSection, Scene, SceneError};
@@ -26,10 +27,15 @@ impl Scene {
     ) -> Result<MetricProgram, SceneError> {
         let section = &self.metric;
         let mut program = if let Some(files) = &section.files {
-            let (times, paths) = self.keyframe_files("metric", files, &surface.mesh)?;
-            let fault = |error: MeshError| self.complain_about("metric.files", &error);
-            let lengths = |path: &PathBuf| lengths_of_file(path, &surface.mesh).map(Lengths::fixed).map_err(fault);
-            let values = paths.iter().map(lengths).collect::<Result<_, _>>()?;
+            let mesh = &surface.mesh;
+            let lengths = |path: &Path| {
+                let lengths = |key| match key {
+                    Keyframe::Decreed(lengths) => Lengths::fixed(lengths),
+                    Keyframe::Positions(positions) => Lengths::fixed(lengths_of_positions(mesh, &positions)),
+                };
+                Ok(read_length_keyframes(path, mesh)?.into_iter().map(lengths).collect())
+            };
+            let (times, values) = self.keyframes_of_files("metric", files, mesh, lengths)?;
             let keys = Keyframes::new(times, values, section.ease, section.extrapolation);
             let keys = keys.map_err(|error| self.complain_about("metric.files", &error))?;
             MetricProgram::new(keys, section.interpolation)

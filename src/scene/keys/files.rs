@@ -42,7 +42,7 @@ impl Value for Texts {
 /// The keys `files` and `times`; `None` without files.
 pub(in crate::scene) fn files(table: &mut Table, doc: &'static str) -> Option<FilesSection> {
     let files = table.key::<Texts>("files", doc).optional(Texts(vec!["pose*.obj".into()]));
-    let doc = "Increasing times, one for each of `files`; left out, they are spread evenly over the clock, and in a film that \
+    let doc = "Increasing times, one for each of `files`, or for each frame of a FOLD file; left out, they are spread evenly over the clock, and in a film that \
                loops the first one comes again at the end.";
     let times = table.key::<Vec<f64>>("times", doc).optional(vec![0.0, 1.0]);
     if files.is_none() && times.is_some() && !table.has("files") {

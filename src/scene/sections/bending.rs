@@ -26,7 +26,7 @@ pub(super) fn bending(table: &mut Table) -> (Option<BendingSection>, Option<f64>
         .key::<String>("file", "Angles of another mesh with the same connectivity, or the fold angles of a FOLD file.")
         .optional("bent.obj".into());
     let doc = "Angles of several meshes with the same connectivity, one after another: a list, or a pattern of names with * \
-               and ?, in the order of the numbers in them.";
+               and ?, in the order of the numbers in them. Of a FOLD file every frame is one.";
     let files = files(table, doc);
     table.only_one_of(&["from", "file", "files"]);
     let section = BendingSection {

@@ -13,7 +13,7 @@ use crate::timeline::{Ease, Extrapolation};
 pub(super) fn metric(table: &mut Table) -> MetricSection {
     let lengths = length_source(table);
     let doc = "Meshes with the same connectivity, or arrays, whose lengths are taken one after another: a list, or a \
-               pattern of names with * and ?, in the order of the numbers in them.";
+               pattern of names with * and ?, in the order of the numbers in them. Of a FOLD file every frame is one.";
     let files = files(table, doc);
     let keys = table.tables("key", "The metric at a time; what is between is interpolated.", key);
     let interpolation = table.choice(

@@ -1,7 +1,8 @@
 //! FOLD files: polygons, decreed lengths, fold angles with their sign, frames that inherit, and what is refused.
 
+use glam::DVec3;
 use immerse::immersion::bending_angles;
-use immerse::mesh::{EdgeId, Mesh, Surface, read, read_bending_angles, read_lengths};
+use immerse::mesh::{EdgeId, Keyframe, Mesh, Surface, read, read_bending_angles, read_length_keyframes, read_lengths};
 use std::fs;
 use std::path::PathBuf;
 use tempfile::TempDir;
@@ -132,13 +133,97 @@ fn frames_inherit_and_the_first_with_faces_is_read() {
     );
     let found = surface(&text);
     assert_eq!((found.mesh.triangles(), found.repairs.len()), (vec![[0, 2, 1]], 1));
-    // In a circle there is nothing to inherit.
     let circle = "{\"file_frames\": [{\"frame_inherit\": true, \"frame_parent\": 1, \"faces_vertices\": [[0,1,2]]}]}";
-    assert!(surface(circle).positions.is_none());
+    refused(circle, &["frame 1: it inherits from itself", "correct `frame_parent`"]);
     refused(
         &circle.replace("\"frame_parent\": 1", "\"frame_parent\": 9"),
         &["inherits from frame 9, which is not there"],
     );
+}
+
+/// Frames of a file are keyframes, each with what it inherits.
+#[test]
+fn every_frame_is_a_keyframe() {
+    let edges = "\"edges_vertices\": [[0,1],[1,2],[2,0]]";
+    let file_of = |top: &str, frames: &[&str]| {
+        file(&format!(
+            "{{{top}\"vertices_coords\": [[0,0],[4,0],[0,3]], \"faces_vertices\": [[0,1,2]], {edges}, \"file_frames\": [{}]}}",
+            frames.join(", ")
+        ))
+    };
+    let mesh = surface("{\"faces_vertices\": [[0,1,2]]}").mesh;
+    let heir = |parent: usize, more: &str| format!("{{\"frame_inherit\": true, \"frame_parent\": {parent}, {more}}}");
+    let frames = [
+        heir(0, "\"vertices_coords\": [[0,0],[8,0],[0,6]]"), // places of its own
+        heir(0, "\"edges_length\": [2, 3, 4]"),              // lengths of its own
+        heir(2, "\"edges_length\": null"),                   // those of the frame before
+        heir(5, "\"vertices_coords\": [[0,0],[1,0],[0,1]]"), // of one that comes later
+        heir(0, "\"edges_length\": [5, 6, 7]"),
+    ];
+    let all: Vec<&str> = frames.iter().map(String::as_str).collect();
+    let keys = read_length_keyframes(&file_of("", &all).0, &mesh).unwrap();
+    let at = |points: [[f64; 2]; 3]| Keyframe::Positions(points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec());
+    let of = |values: [f64; 3]| {
+        let length = |e| {
+            let [u, v] = mesh.file_ends(e);
+            values[if u.abs_diff(v) == 2 { 2 } else { u.min(v) as usize }]
+        };
+        Keyframe::Decreed(mesh.edges().map(length).collect())
+    };
+    let expected = vec![
+        at([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]),
+        at([[0.0, 0.0], [8.0, 0.0], [0.0, 6.0]]),
+        of([2.0, 3.0, 4.0]),
+        of([2.0, 3.0, 4.0]),
+        of([5.0, 6.0, 7.0]),
+        of([5.0, 6.0, 7.0]),
+    ];
+    assert_eq!(keys, expected);
+    // A mesh is the key frame, and is told of the others.
+    let found = read(&file_of("", &all).0).unwrap();
+    assert!(found.edge_lengths.is_none() && found.repairs[0].contains("left out the 5 frames after it"));
+    // One unit in all of them, whatever it is; what a frame does not say it inherits, else it is none.
+    let in_units = |top: &str, more: &[&str]| {
+        let frames: Vec<String> = more.iter().map(|more| heir(0, more)).collect();
+        let frames: Vec<&str> = frames.iter().map(String::as_str).collect();
+        read_length_keyframes(&file_of(top, &frames).0, &mesh).map(|keys| keys.len()).map_err(|error| error.to_string())
+    };
+    let [mm, cm, none] = ["\"frame_unit\": \"mm\"", "\"frame_unit\": \"cm\"", "\"frame_unit\": \"unit\""];
+    assert_eq!(in_units(&format!("{mm}, "), &[mm, "\"edges_length\": [3, 4, 5]"]), Ok(3));
+    assert_eq!(in_units("", &[none]), Ok(2));
+    for (top, of) in [(format!("{mm}, "), [mm, cm]), (String::new(), [none, mm])] {
+        let error = in_units(&top, &of).unwrap_err();
+        says(&error, &["a.fold", "frame 2: it is measured in", "and frame 0 in", "bring all frames to one unit"]);
+    }
+    // What does not fit is told with its frame.
+    for (frame, words) in [
+        (heir(0, "\"faces_vertices\": [[0,1,3]]"), ["frame 2: its faces are not those of the mesh", "same faces"]),
+        (heir(0, "\"faces_vertices\": [[0,2,3],[0,1,2]]"), ["frame 2: its faces are not", "same order"]),
+        ("{}".to_owned(), ["frame 2: `faces_vertices` is empty", "triangle"]),
+        (heir(0, "\"edges_length\": [1, 2]"), ["frame 2: `edges_length` has 2 entries", "for each edge"]),
+        (heir(0, "\"edges_length\": [1, 2, -3]"), ["frame 2: edge 2,0 has length -3", "above 0"]),
+        (heir(0, "\"edges_length\": [1, 2, \"a\"]"), ["frame 2: `edges_length` is not what FOLD has there", "number"]),
+        (heir(0, "\"frame_unit\": 3"), ["frame 2: `frame_unit` is not what FOLD has there", "mm"]),
+        (
+            heir(9, "\"edges_length\": [1, 2, 2]"),
+            ["frame 2: it inherits from frame 9, which is not there", "frame_parent"],
+        ),
+        (heir(2, "\"edges_length\": [1, 2, 2]"), ["frame 2: it inherits from itself", "frame_parent"]),
+        ("{\"frame_inherit\": 1}".to_owned(), ["frame 2: `frame_inherit` is not what FOLD has there", "true or false"]),
+        ("7".to_owned(), ["frame 2: it is no object", "export it again"]),
+    ] {
+        let file = file_of("", &[&frames[0], &frame]);
+        says(&read_length_keyframes(&file.0, &mesh).unwrap_err().to_string(), &words);
+    }
+    let circle = [heir(2, "\"edges_length\": [1, 2, 2]"), heir(1, "\"edges_length\": [1, 2, 2]")];
+    refused(&format!("{{\"file_frames\": [{}]}}", circle.join(",")), &["it inherits from itself"]);
+    let many = vec!["{}"; 10_000];
+    let error = read_length_keyframes(&file_of("", &many).0, &mesh).unwrap_err().to_string();
+    says(&error, &["there are 10001 frames, 10000 are the limit"]);
+    // Long chains are followed once.
+    let chain: Vec<String> = (0..9_000).map(|k| heir(k, "\"frame_title\": \"x\"")).collect();
+    let chain: Vec<&str> = chain.iter().map(String::as_str).collect();
+    assert_eq!(read_length_keyframes(&file_of("", &chain).0, &mesh).unwrap().len(), 9_001);
 }
 
 #[test]
@@ -161,7 +246,7 @@ fn what_may_be_misread_is_refused() {
         ("{\"file_frames\": 3}".into(), &["`file_frames` is no list"]),
         (replaced("[2,1]]", "[2]]"), &["vertex 5 has 1 coordinates"]),
         (replaced("[2,1]]", "[2,\"a\"]]"), &["`vertices_coords` is not what FOLD has", "two or three coordinates"]),
-        (replaced("[2,1]]", "[2,1e400]]"), &["this is not JSON", "number out of range"]),
+        (replaced("[2,1]]", "[2,1e400]]"), &["`vertices_coords` is not what FOLD has", "number out of range"]),
         (replaced(",[2,1]]", "]"), &["names vertex 5, but there are only 5"]),
         (sheet(", \"edges_length\": [1]"), &["`edges_length` has 1 entries, and `edges_vertices` has 7"]),
         (sheet(", \"edges_length\": [1,1,1,1,1,1,-1]"), &["edge 5,2 has length -1"]),

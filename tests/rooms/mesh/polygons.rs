@@ -264,6 +264,73 @@ fn outlines_that_cross_or_touch_themselves_are_refused() {
     assert!(error.contains("crosses or touches itself"), "{error}");
 }
 
+/// Text of each format that has polygons, with these points and one polygon, and its ending.
+fn in_each_format(points: &[[f64; 2]], polygon: &[usize]) -> Vec<(&'static str, String)> {
+    let rows = |start: &str| points.iter().map(|[x, y]| format!("{start}{x} {y} 0\n")).collect::<String>();
+    let corners = |first: usize| polygon.iter().map(|v| format!(" {}", v + first)).collect::<String>();
+    let (n, of) = (points.len(), polygon.len());
+    let header = format!(
+        "ply\nformat ascii 1.0\nelement vertex {n}\nproperty double x\nproperty double y\nproperty double z\n\
+         element face 1\nproperty list uchar int vertex_indices\nend_header\n"
+    );
+    let list = corners(0).trim().replace(' ', ",");
+    let places: Vec<String> = points.iter().map(|[x, y]| format!("[{x},{y}]")).collect();
+    vec![
+        ("obj", format!("{}f{}\n", rows("v "), corners(1))),
+        ("off", format!("OFF\n{n} 1 0\n{}{of}{}\n", rows(""), corners(0))),
+        ("ply", format!("{header}{}{of}{}\n", rows(""), corners(0))),
+        ("fold", format!("{{\"vertices_coords\": [{}], \"faces_vertices\": [[{list}]]}}", places.join(","))),
+    ]
+}
+
+/// A side that is walked again, or a way out of the polygon and back, has corners that no triangle would have.
+#[test]
+fn outlines_that_retrace_themselves_are_refused_in_every_format() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [1.0, 2.0], [9.0, 9.0]];
+    let read_in_each = |polygon: &[usize]| {
+        in_each_format(&points, polygon).into_iter().map(|(ending, text)| {
+            let folder = tempfile::tempdir().unwrap();
+            let path = folder.path().join(format!("a.{ending}"));
+            std::fs::write(&path, text).unwrap();
+            (ending, read(&path).map_err(|error| error.to_string()))
+        })
+    };
+    for polygon in [
+        vec![0, 1, 2, 1, 2, 1, 2],    // a triangle whose side is walked five times
+        vec![0, 1, 2, 3, 2, 3],       // of a square, three times
+        vec![0, 1, 2, 5, 2, 3],       // out to a point and back
+        vec![0, 1, 2, 3, 4, 3, 4, 3], // in to a point and back, twice
+        vec![0, 1, 2, 1],             // there and back
+        vec![0, 1, 2, 0, 1, 2, 3],    // nearly twice around
+    ] {
+        for first in 0..polygon.len() {
+            let turned: Vec<usize> = (0..polygon.len()).map(|k| polygon[(k + first) % polygon.len()]).collect();
+            for (ending, found) in read_in_each(&turned) {
+                let error =
+                    found.map(|surface| surface.mesh.triangles()).expect_err(&format!("{turned:?} as {ending}"));
+                let from = usize::from(ending == "obj");
+                let said = format!("the outline of face {from} crosses or touches itself");
+                assert!(error.contains(&said) && error.contains("cut the face into simple"), "{turned:?}: {error}");
+                assert!(ending == "fold" || error.contains(&format!("a.{ending}:")), "{error}");
+            }
+        }
+    }
+    // In to a point and back, once: a slit, whose end is a vertex inside.
+    for (ending, found) in read_in_each(&[0, 1, 2, 3, 4, 3]) {
+        let surface = found.unwrap_or_else(|error| panic!("{ending}: {error}"));
+        assert_eq!((surface.mesh.face_count(), surface.mesh.vertex_count()), (4, 5));
+        assert!((metric(&surface).total_area() - 16.0).abs() < 1e-12);
+    }
+    // Without positions nothing is lost without a word, either.
+    for polygon in ["0,1,2,1,2,1,2", "0,1,2,3,2,3", "0,1,2,0,3,4"] {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.fold");
+        std::fs::write(&path, format!("{{\"faces_vertices\": [[{polygon}]]}}")).unwrap();
+        let error = read(&path).map(|surface| surface.mesh.triangles()).unwrap_err().to_string();
+        assert!(error.contains("the outline of face 0 crosses or touches itself"), "{polygon}: {error}");
+    }
+}
+
 #[test]
 fn repeated_corners_are_dropped_and_told() {
     let surface = input("repeated_corner.obj");

@@ -182,6 +182,56 @@ fn bending_angles_follow_poses_and_fold_files() {
     }
 }
 
+/// Frames of a FOLD file are keyframes of lengths and of angles, alone and among other files.
+#[test]
+fn frames_of_a_fold_file_are_keyframes() {
+    let frame = |width: f64, degrees: f64| {
+        format!(
+            "{{\"frame_inherit\": true, \"frame_parent\": 0, \"edges_length\": [1, 1, 1.5, {width}, {width}], \
+             \"edges_foldAngle\": [null, null, {degrees}, null, null]}}"
+        )
+    };
+    let film = format!(
+        "{{\"faces_vertices\": [[0,1,2],[1,3,2]], \"edges_vertices\": [[0,1],[0,2],[1,2],[1,3],[2,3]], \
+         \"edges_length\": [1, 1, 1.5, 1, 1], \"edges_foldAngle\": [null, null, 0, null, null], \
+         \"file_frames\": [{}, {}]}}",
+        frame(1.25, -20.0),
+        frame(1.5, -40.0)
+    );
+    let other = film.replace("[1,3,2]]", "[1,2,3]]").replace("\"file_frames\"", "\"frames\"");
+    let at = folder(&[("film.fold", film), ("other.fold", other)]);
+    let scene = |text: &str| Scene::parse(&format!("[mesh]\nfile = 'film.fold'\n{text}"), "film", at.path()).unwrap();
+    let of = |text: &str, frame_count: usize| {
+        let scene = scene(text);
+        let surface = scene.surface().unwrap();
+        let mut program = scene.program(&surface).unwrap();
+        let mesh = &surface.mesh;
+        let between = |u, v| mesh.edges().find(|e| [[u, v], [v, u]].contains(&mesh.file_ends(*e))).unwrap().index();
+        let (width, crease) = (between(1, 3), between(1, 2));
+        let mut at = |k: usize| {
+            let time = k as f64 / (frame_count - 1) as f64;
+            let angle = program.bending.as_ref().map_or(0.0, |bending| bending.at(time).unwrap()[crease].to_degrees());
+            [program.metric.at(mesh, time).unwrap().metric.edge_lengths()[width], angle.round()]
+        };
+        (0..frame_count).map(&mut at).collect::<Vec<_>>()
+    };
+    let both = "[metric]\nfiles = 'film.fold'\n[bending]\nfiles = 'f*.fold'\n[clock]\nframes = 3\n";
+    assert_eq!(of(both, 3), [[1.0, 0.0], [1.25, 20.0], [1.5, 40.0]]);
+    // One file more has one more.
+    let more = "[metric]\nfiles = ['film.fold', 'other.fold']\n[clock]\nframes = 4\n";
+    assert_eq!(of(more, 4).iter().map(|[width, _]| *width).collect::<Vec<_>>(), [1.0, 1.25, 1.5, 1.0]);
+    // As a mesh or one file it is its key frame.
+    assert_eq!(of("[metric]\nfile = 'film.fold'\n[bending]\nfrom = 'mesh'\n[clock]\nframes = 2\n", 2), [[1.0, 0.0]; 2]);
+    assert_eq!(of("[clock]\nframes = 2\n", 2), [[1.0, 0.0]; 2]);
+    for (text, word) in [
+        ("[metric]\nfiles = 'film.fold'\ntimes = [0, 1]\n[clock]\nframes = 3\n", "2 times for 3 frames of files"),
+        ("[metric]\nfiles = 'film.fold'\n", "3 frames of files are spread over the clock, which has one frame"),
+    ] {
+        let error = scene(text).simulation().map(drop).unwrap_err().to_string();
+        assert!(error.contains(word), "`{word}` is missing in: {error}");
+    }
+}
+
 #[test]
 fn arrays_are_metrics_of_a_scene() {
     let poses = poses();

@@ -10,7 +10,7 @@ use crate::film::export::subject::{Subject, unit_in_words};
 use crate::immersion::FieldName;
 
 /// Widths of curves and points as shares of the size of the surface.
-const CURVE: f64 = 0.004;
+const CURVE: f64 = 0.002;
 const DOT: f64 = 0.012;
 
 const RIM: Vec3 = Vec3::new(0.75, 0.05, 0.05);

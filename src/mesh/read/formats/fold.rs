@@ -1,131 +1,120 @@
 //! FOLD 1.2 (`.fold`), the format of origami: JSON with arrays of vertices, edges and faces.
 //!
-//! A file has a frame at its top level, and may have more of them, which inherit from each other. The first one that has
-//! faces is read.
+//! As a mesh the first frame is read that has faces, usually the key frame at the top. As keyframes it and all that come after
+//! it are read.
+
+use std::borrow::Cow;
 
 use glam::DVec3;
-use serde::Deserialize;
-use serde_json::{Map, Value};
 
+use super::fold_frames::{Frame, frames};
 use super::polygons::Polygons;
+use crate::mesh::limits::MOST_KEYFRAMES;
 use crate::mesh::read::edges::{EdgeNumbers, Listed};
 use crate::mesh::read::problem::Problem;
 use crate::mesh::read::soup::Soup;
 use crate::text::decode;
 
-/// What is read of a frame.
-#[derive(Deserialize)]
-struct Frame {
-    vertices_coords: Option<Vec<Option<Vec<f64>>>>,
-    faces_vertices: Option<Vec<Vec<u32>>>,
-    edges_vertices: Option<Vec<[u32; 2]>>,
-    edges_length: Option<Vec<Option<f64>>>,
-    #[serde(rename = "edges_foldAngle")]
-    edges_fold_angle: Option<Vec<Option<f64>>>,
-    edges_assignment: Option<Vec<Option<String>>>,
-}
-
+/// The mesh of a file.
 pub(in crate::mesh::read) fn parse(bytes: &[u8]) -> Result<Soup, Problem> {
-    let text = decode(bytes);
-    if !text.is_text() {
-        return Err(Problem::new("the file is not text", "save it as JSON in UTF-8"));
-    }
-    let no_json = |error: serde_json::Error| {
-        let reason = error.to_string();
-        let reason = reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason).to_owned();
-        Problem::at(error.line(), format!("this is not JSON: {reason}"), "export it again as FOLD")
-    };
-    let file: Value = serde_json::from_str(text.text.trim_start_matches('\u{feff}')).map_err(no_json)?;
-    let Value::Object(mut file) = file else {
-        return Err(Problem::new("this is JSON, but no FOLD file: it is no object", "export it again as FOLD"));
-    };
-    let frames = match file.remove("file_frames") {
-        None | Some(Value::Null) => Vec::new(),
-        Some(Value::Array(frames)) => frames,
-        Some(_) => return Err(Problem::new("`file_frames` is no list", "export it again as FOLD")),
-    };
-    let (number, frame) = first_with_faces(file, &frames)?;
-    let mut soup = frame.soup()?;
+    let text = text(bytes)?;
+    let frames = frames(&text)?;
+    let number = first_with_faces(&frames)?;
+    let mut soup = Typed::of(&frames[number]).and_then(Typed::soup).map_err(|problem| problem.of_frame(number))?;
     if number > 0 {
         soup.notes.push(format!("took frame {number} of the file, the first that has faces"));
-    } else if !frames.is_empty() {
-        soup.notes.push(format!("left out {} more frames of the file", frames.len()));
+    }
+    let left = frames.len() - 1 - number;
+    if left > 0 {
+        soup.notes.push(format!(
+            "left out the {left} frames after it; `files` under [metric] or [bending] takes all of them, as keyframes"
+        ));
     }
     Ok(soup)
 }
 
-/// The first frame with faces, and its number; 0 is that at the top level.
-fn first_with_faces(top: Map<String, Value>, more: &[Value]) -> Result<(usize, Frame), Problem> {
-    let faces = "faces_vertices";
-    let has_faces = |frame: &Map<String, Value>| frame.get(faces).is_some_and(|faces| !faces.is_null());
-    if has_faces(&top) {
-        return Ok((0, typed(top, 0)?));
+/// What `read` finds in each frame, from the first one that has faces. One after another, so that no more than one is in
+/// memory.
+///
+/// # Errors
+/// [`Problem`] with the number of the frame, and for frames in different units.
+pub(in crate::mesh::read) fn each_frame<T>(
+    bytes: &[u8],
+    mut read: impl FnMut(Soup) -> Result<T, Problem>,
+) -> Result<Vec<T>, Problem> {
+    let text = text(bytes)?;
+    let frames = frames(&text)?;
+    let first = first_with_faces(&frames)?;
+    if frames.len() - first > MOST_KEYFRAMES {
+        let reason = format!("there are {} frames, {MOST_KEYFRAMES} are the limit", frames.len() - first);
+        return Err(Problem::new(reason, "take fewer of them; what is between is interpolated"));
     }
-    for (k, frame) in more.iter().enumerate() {
-        let number = k + 1;
-        let Value::Object(frame) = frame else {
-            return Err(Problem::new(format!("frame {number} is no object"), "export it again as FOLD"));
-        };
-        if !has_faces(frame) {
-            continue;
+    let unit = unit(&frames[first]).map_err(|problem| problem.of_frame(first))?;
+    let mut of_frame = |frame: &Frame| match self::unit(frame)? {
+        other if other != unit => {
+            let reason = format!("it is measured in \"{other}\", and frame {first} in \"{unit}\"");
+            Err(Problem::new(reason, "bring all frames to one unit, and say which in `frame_unit`"))
         }
-        // With what it does not say for itself, from the frame that it inherits from, and so on.
-        let mut whole = frame.clone();
-        let mut below = frame;
-        for _ in 0..=more.len() {
-            if below.get("frame_inherit").and_then(Value::as_bool) != Some(true) {
-                break;
-            }
-            let parent = below.get("frame_parent").and_then(Value::as_u64).unwrap_or(0) as usize;
-            below = match (parent, parent.checked_sub(1).and_then(|parent| more.get(parent))) {
-                (0, _) => &top,
-                (_, Some(Value::Object(parent))) => parent,
-                _ => {
-                    let reason = format!("frame {number} inherits from frame {parent}, which is not there");
-                    return Err(Problem::new(reason, "correct `frame_parent`"));
-                }
-            };
-            for (key, value) in below.iter().filter(|(key, _)| !key.starts_with("frame_")) {
-                whole.entry(key).or_insert_with(|| value.clone());
-            }
-        }
-        return Ok((number, typed(whole, number)?));
+        _ => read(Typed::of(frame)?.soup()?),
+    };
+    let numbered = frames.iter().enumerate().skip(first);
+    numbered.map(|(number, frame)| of_frame(frame).map_err(|problem| problem.of_frame(number))).collect()
+}
+
+fn text(bytes: &[u8]) -> Result<Cow<'_, str>, Problem> {
+    let text = decode(bytes);
+    match text.is_text() {
+        true => Ok(text.text),
+        false => Err(Problem::new("the file is not text", "save it as JSON in UTF-8")),
     }
-    let edges = "edges_vertices";
-    let has_edges = top.contains_key(edges) || more.iter().any(|frame| frame.get(edges).is_some());
-    Err(match has_edges {
-        true => Problem::new(
-            "the file has edges, but no `faces_vertices`",
-            "export faces, too; FOLD's own library finds them (edges_vertices_to_faces_vertices)",
-        ),
-        false => Problem::new("there is no `faces_vertices`", "export a FOLD file with vertices and faces"),
+}
+
+/// What a frame measures in. One that says nothing has no unit, which is "unit".
+fn unit(frame: &Frame) -> Result<String, Problem> {
+    let unit = frame.unit.read("frame_unit", "write for example \"unit\" or \"mm\"")?;
+    Ok(unit.unwrap_or_else(|| "unit".to_owned()))
+}
+
+/// The number of the first frame with faces; 0 is that at the top level.
+fn first_with_faces(frames: &[Frame]) -> Result<usize, Problem> {
+    frames.iter().position(|frame| frame.faces_vertices.is_there()).ok_or_else(|| {
+        match frames.iter().any(|frame| frame.edges_vertices.is_there()) {
+            true => Problem::new(
+                "the file has edges, but no `faces_vertices`",
+                "export faces, too; FOLD's own library finds them (edges_vertices_to_faces_vertices)",
+            ),
+            false => Problem::new("there is no `faces_vertices`", "export a FOLD file with vertices and faces"),
+        }
     })
 }
 
-fn typed(frame: Map<String, Value>, number: usize) -> Result<Frame, Problem> {
-    const KEYS: [&str; 6] =
-        ["vertices_coords", "faces_vertices", "edges_vertices", "edges_length", "edges_foldAngle", "edges_assignment"];
-    let known: Map<String, Value> = frame.into_iter().filter(|(key, _)| KEYS.contains(&key.as_str())).collect();
-    // One after another, so that the key at fault is named.
-    for (key, value) in &known {
-        let alone: Map<String, Value> = [(key.clone(), value.clone())].into_iter().collect();
-        serde_json::from_value::<Frame>(Value::Object(alone)).map_err(|error| {
-            let place = if number == 0 { String::new() } else { format!(" of frame {number}") };
-            let remedy = match key.as_str() {
-                "vertices_coords" => "give two or three coordinates for each vertex",
-                "faces_vertices" => "give a list of vertices for each face, which count from 0",
-                "edges_vertices" => "give two vertices for each edge, which count from 0",
-                "edges_assignment" => "give a letter such as \"M\" or \"V\" for each edge",
-                _ => "give a number for each edge",
-            };
-            Problem::new(format!("`{key}`{place} is not what FOLD has there: {error}"), remedy)
-        })?;
-    }
-    serde_json::from_value(Value::Object(known))
-        .map_err(|error| Problem::new(format!("this is no FOLD file: {error}"), "export it again as FOLD"))
+/// What is read of a frame.
+struct Typed {
+    vertices_coords: Option<Vec<Option<Vec<f64>>>>,
+    faces_vertices: Option<Vec<Vec<u32>>>,
+    edges_vertices: Option<Vec<[u32; 2]>>,
+    edges_length: Option<Vec<Option<f64>>>,
+    edges_fold_angle: Option<Vec<Option<f64>>>,
+    edges_assignment: Option<Vec<Option<String>>>,
 }
 
-impl Frame {
+impl Typed {
+    fn of(frame: &Frame) -> Result<Typed, Problem> {
+        const NUMBERS: &str = "give a number for each edge";
+        Ok(Typed {
+            vertices_coords: (frame.vertices_coords)
+                .read("vertices_coords", "give two or three coordinates for each vertex")?,
+            faces_vertices: (frame.faces_vertices)
+                .read("faces_vertices", "give a list of vertices for each face, which count from 0")?,
+            edges_vertices: (frame.edges_vertices)
+                .read("edges_vertices", "give two vertices for each edge, which count from 0")?,
+            edges_length: frame.edges_length.read("edges_length", NUMBERS)?,
+            edges_fold_angle: frame.edges_fold_angle.read("edges_foldAngle", NUMBERS)?,
+            edges_assignment: (frame.edges_assignment)
+                .read("edges_assignment", "give a letter such as \"M\" or \"V\" for each edge")?,
+        })
+    }
+
     fn soup(self) -> Result<Soup, Problem> {
         let faces = self.faces_vertices.unwrap_or_default();
         let positions = self.vertices_coords.map(positions).transpose()?;

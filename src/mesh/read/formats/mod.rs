@@ -2,6 +2,7 @@
 
 pub(super) mod arrays;
 pub(super) mod fold;
+mod fold_frames;
 pub(super) mod obj;
 pub(super) mod off;
 pub(super) mod ply;
