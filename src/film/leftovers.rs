@@ -11,6 +11,7 @@ use super::disk::FilmFolder;
 use super::error::FilmError;
 use super::ledger::{LEDGER, Ledger};
 use super::pictures::SHEET;
+use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
 use crate::whole_file;
 
@@ -46,7 +47,7 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
             Made::Frame(number, _) => {
                 shows.is_none_or(|shows| film.contents(number).ok().is_none_or(|now| now.0 != shows))
             }
-            Made::Film(_) | Made::Sheet => shows != Some(of_all),
+            Made::Film(_) | Made::Sheet | Made::Report => shows != Some(of_all),
         };
         if is_stale && (made == Made::Curves || is_ours(&path)) {
             remove(&path)?;
@@ -105,6 +106,7 @@ enum Made {
     Frame(usize, bool),
     Film(AnimationFormat),
     Sheet,
+    Report,
     Curves,
 }
 
@@ -115,6 +117,7 @@ impl Made {
         match (stem, ending) {
             (_, "png" | "exr") if is_number => Some(Made::Frame(stem.parse().ok()?, ending == "png")),
             _ if name == SHEET => Some(Made::Sheet),
+            _ if name == REPORT => Some(Made::Report),
             ("curves", "csv" | "svg") => Some(Made::Curves),
             _ => {
                 let formats = [AnimationFormat::Gif, AnimationFormat::Apng, AnimationFormat::Mp4];
@@ -129,6 +132,7 @@ impl Made {
             Made::Frame(_, false) => output.exr,
             Made::Film(format) => output.animation.contains(&format),
             Made::Sheet => output.sheet > 0,
+            Made::Report => output.report,
             Made::Curves => true,
         }
     }
