@@ -1,11 +1,11 @@
 //! Segments in which a surface passes through itself, put together to curves, whose points lie near each other.
 
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// Runs along segments between points of a grid: each chain goes on where another segment begins at its end. The order
 /// depends on nothing but that of the segments.
 pub(super) fn chains(segments: &[[[u16; 3]; 2]]) -> Vec<Vec<[u16; 3]>> {
-    let mut at: BTreeMap<[u16; 3], Vec<usize>> = BTreeMap::new();
+    let mut at: HashMap<[u16; 3], Vec<usize>> = HashMap::new();
     for (k, ends) in segments.iter().enumerate().rev() {
         ends.iter().for_each(|end| at.entry(*end).or_default().push(k));
     }

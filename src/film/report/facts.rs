@@ -44,6 +44,7 @@ pub(super) fn curves(frames: &[Small]) -> Json {
         "rotation": column(&|small| small.energy[1]),
         "torsion": column(&|small| small.energy[2]),
         "steps": count(&|r| r.cursor.steps),
+        "iterations": count(&|r| r.cursor.inner_iterations),
         "bend": column(&|small| small.bend),
         "bendError": optional(&|r| r.bending_error.map(|error| error.rms_degrees)),
         "bendErrorMax": optional(&|r| r.bending_error.map(|error| error.max_degrees)),

@@ -17,8 +17,8 @@ const SKY_RAY_BUDGET: usize = 2_500_000;
 /// fewer.
 const SKY_SMOOTHING: usize = 2;
 /// Rays and smoothing where both sides of a whole film are wanted.
-const FEW_RAYS: usize = 16;
-const FEW_RAYS_SMOOTHING: usize = 6;
+const FEW_RAYS: usize = 8;
+const FEW_RAYS_SMOOTHING: usize = 8;
 
 /// The share of the sky that each vertex sees on one side (0 front, 1 back), within reach of occluders.
 pub fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], side: usize, reach: f32) -> Vec<f32> {

@@ -2,6 +2,11 @@
 
 const MARGIN = { left: 62, right: 14, top: 8, bottom: 6 };
 
+/** What each frame took, of what all took until then; of frames that begin anew, as those of another class do, all of it. */
+function eachFrame(sums) {
+  return sums.map((sum, k) => (k > 0 && sum >= sums[k - 1] ? sum - sums[k - 1] : sum));
+}
+
 /** A diagram: what it is of, its curves, and how their values are written. */
 function panels() {
   const c = facts.curves;
@@ -17,8 +22,8 @@ function panels() {
   const bend = [["angle between faces", c.bend, "warm"]];
   if (c.bendError) bend.push(["from its target", c.bendError, "cool"]);
   list.push({ title: "bending", write: (x) => `${short(x)}°`, curves: bend });
-  list.push({ title: "steps", write: short, curves: [["steps", c.steps, "warm"]] });
-  if (c.iterations?.some(Boolean)) list.push({ title: "inner iterations", write: short, curves: [["inner iterations", c.iterations, "cool"]] });
+  list.push({ title: "steps", write: short, curves: [["steps", eachFrame(c.steps), "warm"]] });
+  if (c.iterations.some(Boolean)) list.push({ title: "inner iterations", write: short, curves: [["inner iterations", eachFrame(c.iterations), "cool"]] });
   return list;
 }
 

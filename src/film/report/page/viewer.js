@@ -45,7 +45,7 @@ class Viewer {
       tabindex: 0, role: "img", id: "film",
       "aria-label": `The film ${facts.origin.scene}. Drag to turn it; arrow keys go from frame to frame, with Shift they turn it.`,
     });
-    this.legend = make("div", { class: "legend" });
+    this.legend = make("div", { class: "legend", hidden: true });
     const toggle = (text, title, value, name) => {
       const box = make("input", { type: "checkbox", checked: value, onchange: () => { this.redraw(); } });
       this.boxes[name] = box;
