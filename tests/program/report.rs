@@ -74,23 +74,50 @@ fn array(path: &Path, name: &str) -> Vec<f64> {
     }
 }
 
+/// For each vertex, breadth first, itself and those of its neighbours that come before it.
+fn order(vertices: usize, triangles: &[u32]) -> Vec<(usize, Vec<usize>)> {
+    let mut all = vec![Vec::new(); vertices];
+    for face in triangles.chunks(3) {
+        (0..3).for_each(|k| all[face[k] as usize].extend([1, 2].map(|next| face[(k + next) % 3] as usize)));
+    }
+    let mut order: Vec<usize> = Vec::new();
+    for first in 0..vertices {
+        let mut next = order.len();
+        order.extend((!order.contains(&first)).then_some(first));
+        while next < order.len() {
+            all[order[next]].iter().for_each(|u| order.extend((!order.contains(u)).then_some(*u)));
+            next += 1;
+        }
+    }
+    let rank = |v: usize| order.iter().position(|&u| u == v);
+    order.iter().map(|&v| (v, all[v].iter().copied().filter(|&u| rank(u) < rank(v)).collect())).collect()
+}
+
 /// Coordinates of all frames on the grid of the page, as its script finds them: x of all vertices, then y, then z.
 fn places(page: &str, vertices: usize, frames: usize) -> Vec<Vec<u16>> {
     let (bytes, size) = (stream(page, "positions"), 3 * vertices);
+    let order = order(vertices, &numbers(page, "triangles"));
     let mut all: Vec<Vec<u16>> = Vec::new();
     assert_eq!(bytes.len(), frames * (2 * size + 1));
     for frame in bytes.chunks(2 * size + 1) {
-        let mut now: Vec<u16> = Vec::new();
-        for k in 0..size {
-            let folded = u16::from_le_bytes([frame[1 + k], frame[1 + size + k]]);
-            let error = (folded >> 1) ^ if folded & 1 == 1 { u16::MAX } else { 0 };
-            let guess = match frame[0] {
-                0 => now.last().copied().unwrap_or(0),
-                1 => all[all.len() - 1][k],
-                2 => all[all.len() - 1][k].wrapping_mul(2).wrapping_sub(all[all.len() - 2][k]),
-                other => panic!("guess {other}"),
-            };
-            now.push(guess.wrapping_add(error));
+        let mut now = vec![0_u16; size];
+        for axis in 0..3 {
+            let mut far = vec![0_i16; vertices];
+            for (v, neighbours) in &order {
+                let k = axis * vertices + v;
+                let folded = u16::from_le_bytes([frame[1 + k], frame[1 + size + k]]);
+                let error = (folded >> 1) ^ if folded & 1 == 1 { u16::MAX } else { 0 };
+                let sum: i32 = neighbours.iter().map(|&u| i32::from(far[u])).sum();
+                let mean = sum / (neighbours.len() as i32).max(1);
+                far[*v] = (mean as i16).wrapping_add(error as i16);
+                let guess = match frame[0] {
+                    0 => 1 << 15,
+                    1 => all[all.len() - 1][k],
+                    2 => all[all.len() - 1][k].wrapping_mul(2).wrapping_sub(all[all.len() - 2][k]),
+                    other => panic!("guess {other}"),
+                };
+                now[k] = guess.wrapping_add(far[*v] as u16);
+            }
         }
         all.push(now);
     }

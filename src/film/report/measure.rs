@@ -49,6 +49,9 @@ pub(super) const BINS: usize = 36;
 pub(super) const BINS_A_DECADE: f64 = 6.0;
 pub(super) const LEAST_BIN: f64 = -6.0;
 
+/// Steps of shares of the sky from 0 to 1.
+const SKY_STEPS: f32 = 63.0;
+
 /// Sine of the angle between sheets below which they cross in nothing but noise.
 const FAINTEST_CROSSING: f64 = 0.0625;
 
@@ -66,8 +69,9 @@ impl Subject {
         })
     }
 
-    /// Measures a frame, which is seen in such a way. Fields are in the order of [`FieldName::ALL`].
-    pub fn measure(&self, frame: &Frame, views: &Views, output: &Output) -> Result<Measured, FilmError> {
+    /// Measures a frame, which is seen in such a way; the sky only if that is wanted. Fields are in the order of
+    /// [`FieldName::ALL`].
+    pub fn measure(&self, frame: &Frame, views: &Views, output: &Output, wants_sky: bool) -> Result<Measured, FilmError> {
         let Subject { mesh, triangles, fields, .. } = self;
         let Frame { positions, face_frames: frames, spin, .. } = frame;
         let metric = metric(mesh, frame)?;
@@ -77,10 +81,10 @@ impl Subject {
         let errors = length_errors(mesh, &metric, positions);
         let ends = |e: EdgeId| mesh.edge_vertices(e).map(|v| v.0);
         let mut sky = [Vec::new(), Vec::new()];
-        if let Some(camera) = views.cameras.first() {
+        if let Some(camera) = views.cameras.first().filter(|_| wants_sky) {
             let scenery = Scenery { triangles, positions, ..Scenery::default() };
             let shares = sky_all_around(&scenery, camera, &views.look, output)?;
-            sky = shares.map(|side| side.iter().map(|share| (255.0 * share).round() as u8).collect());
+            sky = shares.map(|side| side.iter().map(|share| (SKY_STEPS * share).round() as u8).collect());
         }
         let crossings = self_intersections(triangles, positions);
         Ok(Measured {

@@ -12,6 +12,7 @@ mod look;
 mod measure;
 mod pack;
 mod page;
+mod places;
 mod records;
 mod streams;
 mod work;

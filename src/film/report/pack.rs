@@ -9,7 +9,8 @@ use rayon::prelude::*;
 use super::chains::chains;
 use super::measure::{Small, Subject};
 use super::records::{Record, Records};
-use super::streams::{Curves, Places, Shares, Stream};
+use super::places::Places;
+use super::streams::{Curves, Shares, Stream};
 use crate::immersion::FieldName;
 use crate::render::ColorMap;
 
@@ -36,6 +37,13 @@ impl Grid {
     fn nearest(&self, point: DVec3) -> [u16; 3] {
         ((point - self.origin) / self.step).round().clamp(DVec3::ZERO, DVec3::splat(LAST)).to_array().map(|x| x as u16)
     }
+}
+
+/// Curves are drawn several pixels wide, so that sixteen steps of the grid are one of theirs.
+pub(super) const CURVE_STEPS: u16 = 16;
+
+fn coarse(x: u16) -> u16 {
+    (x / CURVE_STEPS).saturating_add(u16::from(x % CURVE_STEPS >= CURVE_STEPS / 2))
 }
 
 /// A field with the range in which it is shown.
@@ -120,12 +128,13 @@ fn frame_streams(
     wanted: &[Shown],
 ) -> io::Result<(Vec<Stream>, Vec<(Shown, Stream)>)> {
     let vertices = subject.mesh.vertex_count();
-    let (mut places, mut curves, mut sky) = (Places::default(), Curves::default(), Shares::default());
+    let mut places = Places::new(vertices, &subject.triangles);
+    let (mut curves, mut sky) = (Curves::default(), Shares::default());
     let mut fields: Vec<Shares> = wanted.iter().map(|_| Shares::default()).collect();
     for &frame in frames {
         let Record { positions, sky: [front, back], fields: values, crossings } = records.read(frame, vertices, lengths)?;
         places.push(&positions.iter().map(|&point| grid.nearest(point)).collect::<Vec<_>>());
-        let segments: Vec<[[u16; 3]; 2]> = crossings.iter().map(|ends| ends.map(|end| grid.nearest(end))).collect();
+        let segments: Vec<[[u16; 3]; 2]> = crossings.iter().map(|ends| ends.map(|end| grid.nearest(end).map(coarse))).filter(|[a, b]| a != b).collect();
         curves.push(&chains(&segments));
         sky.push([front, back].concat());
         for (field, shown) in fields.iter_mut().zip(wanted) {

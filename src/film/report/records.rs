@@ -11,7 +11,7 @@ use glam::DVec3;
 pub(super) struct Record {
     /// |V|
     pub positions: Vec<DVec3>,
-    /// Shares of the sky of fronts and backs, of 255; |V| each.
+    /// Shares of the sky of fronts and backs, from 0 to 63; |V| each.
     pub sky: [Vec<u8>; 2],
     /// In the order of the fields.
     pub fields: Vec<Vec<f32>>,

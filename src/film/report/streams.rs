@@ -30,72 +30,17 @@ impl Stream {
     }
 }
 
-/// How a frame is told from what is known before.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Guess {
-    /// Each vertex is where the one before it is.
-    Neighbour = 0,
-    /// Each vertex is where it was in the frame before.
-    Still = 1,
-    /// Each vertex goes on as from the frame before that one.
-    Straight = 2,
-}
-
-/// Places of vertices on a grid, frame by frame.
-#[derive(Debug, Default)]
-pub(super) struct Places {
-    bytes: Vec<u8>,
-    /// The last two frames, the later one first; x of all vertices, then y, then z.
-    before: [Vec<u16>; 2],
-    frames: usize,
-}
-
-impl Places {
-    /// Adds a frame: a byte that says how it is guessed, and for each coordinate of each vertex by how much that is wrong.
-    pub fn push(&mut self, points: &[[u16; 3]]) {
-        let now: Vec<u16> = (0..3).flat_map(|axis| points.iter().map(move |point| point[axis])).collect();
-        let guesses: &[Guess] = match self.frames {
-            0 => &[Guess::Neighbour],
-            1 => &[Guess::Still],
-            _ => &[Guess::Still, Guess::Straight],
-        };
-        let tries = guesses.iter().map(|&guess| (guess, self.errors(guess, &now)));
-        let cost = |errors: &[u16]| errors.iter().map(|&e| u64::from(16 - e.leading_zeros())).sum::<u64>();
-        if let Some((guess, errors)) = tries.min_by_key(|(_, errors)| cost(errors)) {
-            self.bytes.push(guess as u8);
-            push_planes(&mut self.bytes, &errors);
-        }
-        self.before.swap(0, 1);
-        self.before[0] = now;
-        self.frames += 1;
-    }
-
-    fn errors(&self, guess: Guess, now: &[u16]) -> Vec<u16> {
-        let [last, earlier] = &self.before;
-        let guessed = |k: usize| match guess {
-            Guess::Neighbour => if k > 0 { now[k - 1] } else { 0 },
-            Guess::Still => last[k],
-            Guess::Straight => last[k].wrapping_mul(2).wrapping_sub(earlier[k]),
-        };
-        now.iter().enumerate().map(|(k, x)| folded(x.wrapping_sub(guessed(k)))).collect()
-    }
-
-    pub fn finish(self, name: &str) -> Stream {
-        Stream::of(name, &self.bytes)
-    }
-}
-
 /// Differences as small numbers: 0, −1, 1, −2, … are 0, 1, 2, 3, ….
-fn folded(difference: u16) -> u16 {
+pub(super) fn folded(difference: u16) -> u16 {
     (difference << 1) ^ if difference & 0x8000 == 0 { 0 } else { 0xFFFF }
 }
 
-fn push_planes(bytes: &mut Vec<u8>, numbers: &[u16]) {
+pub(super) fn push_planes(bytes: &mut Vec<u8>, numbers: &[u16]) {
     bytes.extend(numbers.iter().map(|number| number.to_le_bytes()[0]));
     bytes.extend(numbers.iter().map(|number| number.to_le_bytes()[1]));
 }
 
-/// Curves on the same grid, frame by frame.
+/// Curves on a grid, frame by frame.
 #[derive(Debug, Default)]
 pub(super) struct Curves {
     /// Curves of each frame, and then points of each curve.

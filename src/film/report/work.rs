@@ -1,5 +1,6 @@
 //! Makes the page of a film.
 
+use std::io;
 use std::path::Path;
 
 use glam::DVec3;
@@ -8,7 +9,7 @@ use serde_json::{Value as Json, json};
 use super::facts::{curves, generators, histogram, origin, unconverged};
 use super::findings::Findings;
 use super::measure::{Measured, Small, Subject};
-use super::pack::{Grid, Packed, Shown, pack};
+use super::pack::{CURVE_STEPS, Grid, Packed, Shown, pack};
 use super::page::{page, parts};
 use super::records::Records;
 use super::{facts, look};
@@ -87,6 +88,26 @@ struct Survey {
     high: DVec3,
 }
 
+impl Survey {
+    fn push(&mut self, Measured { record, small }: Measured) -> io::Result<()> {
+        for (spread, values) in self.spreads.iter_mut().zip(&record.fields) {
+            spread.add(&FieldValues::PerFace(values.clone()));
+        }
+        self.lengths = record.fields.iter().map(Vec::len).collect();
+        for point in record.positions.iter().chain(record.crossings.iter().flatten()) {
+            (self.low, self.high) = (self.low.min(*point), self.high.max(*point));
+        }
+        self.records.push(&record)?;
+        self.small.push(small);
+        Ok(())
+    }
+}
+
+/// The middle of two shares of the sky, on both sides.
+fn between(before: &[Vec<u8>; 2], after: &[Vec<u8>; 2]) -> [Vec<u8>; 2] {
+    [0, 1].map(|side| before[side].iter().zip(&after[side]).map(|(a, b)| a.midpoint(*b)).collect())
+}
+
 fn made(film: &FilmFolder, findings: &Findings, arrivals: &Arrivals, watch: &mut Watch) -> Result<String, FilmError> {
     let count = film.manifest().frame_count;
     let frames: Vec<usize> = (1..=count).take_while(|&frame| film.contents(frame).is_ok()).collect();
@@ -113,7 +134,7 @@ fn made(film: &FilmFolder, findings: &Findings, arrivals: &Arrivals, watch: &mut
         "rate": scene.output.frame_rate,
         "loop": scene.clock.looping,
         "size": scene.output.size,
-        "grid": { "origin": grid.origin.to_array(), "step": grid.step },
+        "grid": { "origin": grid.origin.to_array(), "step": grid.step, "curveSteps": CURVE_STEPS },
         "diagonal": facts::six_digits(diagonal),
         "camera": look::camera(&views, &packed.frames),
         "lights": look::lights(&views),
@@ -153,6 +174,9 @@ fn measured(
         high: DVec3::NEG_INFINITY,
     };
     watch(Event::Begin("report", frames.len()));
+    // Rays cost more than all else, and shade changes little from frame to frame.
+    let has_sky = |k: usize| k.is_multiple_of(2) || k + 1 == frames.len();
+    let (mut waiting, mut sky): (Option<Measured>, [Vec<u8>; 2]) = (None, Default::default());
     let (vertices, faces) = (subject.mesh.vertex_count(), subject.triangles.len());
     in_order(
         frames.len(),
@@ -162,18 +186,23 @@ fn measured(
             if arrivals.is_stopped() {
                 return Err(FilmError::Stopped);
             }
-            subject.measure(&wave[k - wave[0].0].1, views, &output)
+            subject.measure(&wave[k - wave[0].0].1, views, &output, has_sky(k))
         },
-        |Measured { record, small }| {
-            for (spread, values) in survey.spreads.iter_mut().zip(&record.fields) {
-                spread.add(&FieldValues::PerFace(values.clone()));
+        |measured| {
+            // One without a sky has what is between those before and after it, and waits for that.
+            let mut ready = Vec::new();
+            match waiting.take() {
+                Some(Measured { mut record, small }) => {
+                    record.sky = between(&sky, &measured.record.sky);
+                    ready.extend([Measured { record, small }, measured]);
+                }
+                None if measured.record.sky[0].is_empty() => waiting = Some(measured),
+                None => ready.push(measured),
             }
-            survey.lengths = record.fields.iter().map(Vec::len).collect();
-            for point in record.positions.iter().chain(record.crossings.iter().flatten()) {
-                (survey.low, survey.high) = (survey.low.min(*point), survey.high.max(*point));
+            for measured in ready {
+                sky.clone_from(&measured.record.sky);
+                survey.push(measured).map_err(failed)?;
             }
-            survey.records.push(&record).map_err(failed)?;
-            survey.small.push(small);
             watch(Event::Done(survey.small.len()));
             Ok(())
         },

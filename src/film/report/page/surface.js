@@ -51,10 +51,10 @@ class Surface {
     for (let v = 0; v < vertices; v++) {
       const size = Math.hypot(normals[4 * v], normals[4 * v + 1], normals[4 * v + 2]) || 1;
       for (let k = 0; k < 3; k++) normals[4 * v + k] /= size;
-      sky[2 * v] = film.sky[2 * vertices * frame + v];
-      sky[2 * v + 1] = film.sky[2 * vertices * frame + vertices + v];
+      // Shares of 63 as bytes.
+      for (let side = 0; side < 2; side++) sky[2 * v + side] = Math.round((255 / 63) * film.sky[vertices * (2 * frame + side) + v]);
     }
-    this.crossings = Float32Array.from(film.crossings[frame], (x, k) => start[k % 3] + step * x);
+    this.crossings = Float32Array.from(film.crossings[frame], (x, k) => start[k % 3] + step * facts.grid.curveSteps * x);
     this.frame = frame;
   }
 

@@ -31,23 +31,47 @@ function unfolded(x) {
   return (x >>> 1) ^ -(x & 1);
 }
 
-/** Places of all vertices on the grid, frame by frame: x of all, then y, then z. */
-function placesOf(bytes, vertices, frames) {
+/** For each vertex those of its neighbours that come before it, breadth first; with where each list begins. */
+function earlierNeighbours(vertices, triangles) {
+  const all = Array.from({ length: vertices }, () => []);
+  for (let f = 0; f < triangles.length; f += 3)
+    for (let k = 0; k < 3; k++) all[triangles[f + k]].push(triangles[f + ((k + 1) % 3)], triangles[f + ((k + 2) % 3)]);
+  const rank = new Int32Array(vertices).fill(-1);
+  const queue = [];
+  let next = 0;
+  const visit = (v) => { if (rank[v] < 0) rank[v] = queue.push(v) - 1; };
+  for (let first = 0; first < vertices; first++)
+    for (visit(first); next < queue.length; next++) all[queue[next]].forEach(visit);
+  const lists = all.map((list, v) => list.filter((u) => rank[u] < rank[v]));
+  return { order: queue, lists };
+}
+
+/**
+ * Places of all vertices on the grid, frame by frame: x of all, then y, then z. A frame is guessed from those before it, and
+ * each vertex is as far from its guess as its neighbours are from theirs.
+ */
+function placesOf(bytes, vertices, triangles, frames) {
   const size = 3 * vertices;
   const all = new Uint16Array(size * frames);
-  let at = 0;
+  const far = new Int16Array(vertices);
+  const { order, lists } = earlierNeighbours(vertices, triangles);
   for (let frame = 0; frame < frames; frame++) {
-    const guess = bytes[at++];
-    const start = frame * size;
-    for (let k = 0; k < size; k++) {
-      const error = unfolded(bytes[at + k] | (bytes[at + size + k] << 8));
-      let guessed;
-      if (guess === 0) guessed = k > 0 ? all[start + k - 1] : 0;
-      else if (guess === 1) guessed = all[start + k - size];
-      else guessed = 2 * all[start + k - size] - all[start + k - 2 * size];
-      all[start + k] = guessed + error;
+    const read = frame * (2 * size + 1);
+    const guess = bytes[read];
+    for (let axis = 0; axis < 3; axis++) {
+      const start = frame * size + axis * vertices;
+      for (const v of order) {
+        const k = axis * vertices + v;
+        const list = lists[v];
+        let sum = 0;
+        for (let n = 0; n < list.length; n++) sum += far[list[n]];
+        const mean = list.length > 0 ? Math.trunc(sum / list.length) : 0;
+        far[v] = mean + unfolded(bytes[read + 1 + k] | (bytes[read + 1 + size + k] << 8));
+        const at = start + v;
+        const guessed = guess === 0 ? 32768 : guess === 1 ? all[at - size] : 2 * all[at - size] - all[at - 2 * size];
+        all[at] = guessed + far[v];
+      }
     }
-    at += 2 * size;
   }
   return all;
 }
@@ -93,7 +117,7 @@ async function unpack() {
     triangles,
     fields,
     pins: await numbersOf("pins"),
-    places: placesOf(await bytesOf("positions"), vertices, frames),
+    places: placesOf(await bytesOf("positions"), vertices, triangles, frames),
     sky: sharesOf(await bytesOf("sky"), 2 * vertices),
     crossings: await curvesOf(frames),
     rims: await listsOf("rims", frames),
