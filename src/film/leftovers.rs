@@ -9,7 +9,7 @@ use std::{
 use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
-use super::ledger::{LEDGER, Ledger};
+use super::ledger::{LEDGER, Ledger, PAGE};
 use super::pictures::SHEET;
 use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
@@ -33,14 +33,15 @@ pub struct Leftovers {
 pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, FilmError> {
     let film = FilmFolder::open(folder)?;
     let frames = film.manifest().frame_count;
-    let ledger = Ledger::open(folder)?;
+    let (ledger, of_page) = (Ledger::open(folder)?, Ledger::of_page(folder)?);
     let of_all = film.all_contents();
     let mut leftovers = Leftovers::default();
     leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
     for (name, made) in made_files(folder)? {
         let path = folder.join(&name);
-        let shows = ledger.entry(&name).map(|entry| entry.shows);
+        let known = if made == Made::Report { &of_page } else { &ledger };
+        let shows = known.entry(&name).map(|entry| entry.shows);
         let is_stale = match made {
             Made::Curves => has_curves,
             // A frame that is not done shows nothing.
@@ -57,16 +58,18 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
         }
     }
     ledger.close()?;
+    of_page.close()?;
     Ok(leftovers)
 }
 
-/// Removes the frames of whatever film a folder holds, and forgets what its pictures were made of, to begin anew. Pictures
+/// Removes the frames of whatever film a folder holds, and forgets what its pictures and its page were made of, to begin anew. Pictures
 /// are then made again, or go with [`clear_leftovers`]. Files that are not of a film stay.
 ///
 /// # Errors
 /// [`FilmError::Disk`] if the folder is a file or a frame cannot be removed, [`FilmError::Render`]
 pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
     FilmFolder::clear(folder)?;
+    remove(&folder.join(PAGE))?;
     forget_pictures(folder)
 }
 

@@ -130,7 +130,9 @@ fn a_run_ends_with_a_page_that_needs_nothing_else() {
     assert!(page.starts_with("<!doctype html>") && page.trim_end().ends_with("</html>"));
     // A name of an XML namespace is all that may look like an address.
     let others = page.replace("http://www.w3.org/2000/svg", "");
-    for load in ["http:", "https:", "src=", "@import", "url(", "import(", "fetch(", "XMLHttpRequest", "<link", "WebSocket"] {
+    for load in
+        ["http:", "https:", "src=", "@import", "url(", "import(", "fetch(", "XMLHttpRequest", "<link", "WebSocket"]
+    {
         assert!(!others.contains(load), "{load}");
     }
     // The scene is in it, and nothing of it ends a script.
@@ -139,7 +141,9 @@ fn a_run_ends_with_a_page_that_needs_nothing_else() {
     assert_eq!(facts["findings"]["command"], "immerse run film.toml");
     assert_eq!(facts["frames"], serde_json::json!([1, 2, 3, 4, 5]));
     assert_eq!(facts["generators"].as_array().unwrap().len(), 1);
-    for curve in ["mean", "p95", "max", "rims", "pinchPoints", "bending", "rotation", "torsion", "steps", "iterations", "bend"] {
+    for curve in
+        ["mean", "p95", "max", "rims", "pinchPoints", "bending", "rotation", "torsion", "steps", "iterations", "bend"]
+    {
         assert_eq!(facts["curves"][curve].as_array().map(Vec::len), Some(5), "{curve}");
     }
     assert!(facts["curves"]["iterations"][4].as_u64() > Some(0), "the linear solver worked");

@@ -85,7 +85,12 @@ pub(super) fn look(look: &Look) -> Json {
 }
 
 /// The range and the map in which the page shows a field.
-pub(super) fn colors_of(field: FieldName, look: &Look, shown: Option<FieldName>, spread: &FieldSpread) -> (ColorMap, [f32; 2]) {
+pub(super) fn colors_of(
+    field: FieldName,
+    look: &Look,
+    shown: Option<FieldName>,
+    spread: &FieldSpread,
+) -> (ColorMap, [f32; 2]) {
     match look.paint {
         Paint::Map { map, range } if shown == Some(field) => (map, range),
         _ => (ColorMap::suiting(field), spread.range(field)),

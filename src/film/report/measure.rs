@@ -71,7 +71,13 @@ impl Subject {
 
     /// Measures a frame, which is seen in such a way; the sky only if that is wanted. Fields are in the order of
     /// [`FieldName::ALL`].
-    pub fn measure(&self, frame: &Frame, views: &Views, output: &Output, wants_sky: bool) -> Result<Measured, FilmError> {
+    pub fn measure(
+        &self,
+        frame: &Frame,
+        views: &Views,
+        output: &Output,
+        wants_sky: bool,
+    ) -> Result<Measured, FilmError> {
         let Subject { mesh, triangles, fields, .. } = self;
         let Frame { positions, face_frames: frames, spin, .. } = frame;
         let metric = metric(mesh, frame)?;

@@ -8,8 +8,8 @@ use rayon::prelude::*;
 
 use super::chains::chains;
 use super::measure::{Small, Subject};
-use super::records::{Record, Records};
 use super::places::Places;
+use super::records::{Record, Records};
 use super::streams::{Curves, Shares, Stream};
 use crate::immersion::FieldName;
 use crate::render::ColorMap;
@@ -132,9 +132,14 @@ fn frame_streams(
     let (mut curves, mut sky) = (Curves::default(), Shares::default());
     let mut fields: Vec<Shares> = wanted.iter().map(|_| Shares::default()).collect();
     for &frame in frames {
-        let Record { positions, sky: [front, back], fields: values, crossings } = records.read(frame, vertices, lengths)?;
+        let Record { positions, sky: [front, back], fields: values, crossings } =
+            records.read(frame, vertices, lengths)?;
         places.push(&positions.iter().map(|&point| grid.nearest(point)).collect::<Vec<_>>());
-        let segments: Vec<[[u16; 3]; 2]> = crossings.iter().map(|ends| ends.map(|end| grid.nearest(end).map(coarse))).filter(|[a, b]| a != b).collect();
+        let segments: Vec<[[u16; 3]; 2]> = crossings
+            .iter()
+            .map(|ends| ends.map(|end| grid.nearest(end).map(coarse)))
+            .filter(|[a, b]| a != b)
+            .collect();
         curves.push(&chains(&segments));
         sky.push([front, back].concat());
         for (field, shown) in fields.iter_mut().zip(wanted) {

@@ -27,9 +27,9 @@ pub(super) fn parts() -> impl Iterator<Item = &'static str> {
 
 /// The page of a film.
 pub(super) fn page(title: &str, facts: &Json, streams: &[Stream]) -> String {
-    let data = streams.iter().map(|Stream { name, text }| {
-        format!("<script type=\"text/plain\" id=\"data-{name}\">{text}</script>\n")
-    });
+    let data = streams
+        .iter()
+        .map(|Stream { name, text }| format!("<script type=\"text/plain\" id=\"data-{name}\">{text}</script>\n"));
     let parts = [
         ("{{title}}", escaped(title)),
         ("{{generator}}", format!("immerse {}", env!("CARGO_PKG_VERSION"))),

@@ -60,8 +60,7 @@ impl Curves {
     pub fn finish(self) -> [Stream; 2] {
         let coordinates = (0..3).flat_map(|axis| self.points.iter().map(move |point| point[axis]));
         let mut before = 0;
-        let errors: Vec<u16> =
-            coordinates.map(|x| folded(x.wrapping_sub(std::mem::replace(&mut before, x)))).collect();
+        let errors: Vec<u16> = coordinates.map(|x| folded(x.wrapping_sub(std::mem::replace(&mut before, x)))).collect();
         let mut bytes = Vec::new();
         push_planes(&mut bytes, &errors);
         [Stream::of_numbers("crossing-counts", &[self.counts, self.lengths].concat()), Stream::of("crossings", &bytes)]

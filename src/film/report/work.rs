@@ -52,7 +52,7 @@ pub fn report(
     watch: &mut Watch,
 ) -> Result<Reported, FilmError> {
     let film = FilmFolder::open(folder)?;
-    let ledger = Ledger::open(folder)?;
+    let ledger = Ledger::of_page(folder)?;
     let key = key_of(&film, findings)?;
     if !restart && ledger.is_fresh(REPORT, key) {
         return Ok(Reported::Kept);
@@ -212,10 +212,11 @@ fn measured(
 
 /// Fields in the order in which they get room: that of the pictures first, and none that is 0 all over the film.
 fn shown_fields(views: &Views, spreads: &[FieldSpread]) -> Vec<Shown> {
-    use FieldName::{BendingAngle, ConformalFactor, EnergyDensity, GaussianCurvature, Generators, LengthError, MeanCurvature};
-    let mut order = vec![
-        LengthError, Generators, GaussianCurvature, MeanCurvature, ConformalFactor, BendingAngle, EnergyDensity,
-    ];
+    use FieldName::{
+        BendingAngle, ConformalFactor, EnergyDensity, GaussianCurvature, Generators, LengthError, MeanCurvature,
+    };
+    let mut order =
+        vec![LengthError, Generators, GaussianCurvature, MeanCurvature, ConformalFactor, BendingAngle, EnergyDensity];
     order.sort_by_key(|&name| views.field != Some(name));
     let shown = |name: FieldName| {
         let place = FieldName::ALL.iter().position(|(_, field)| *field == name)?;

@@ -5,8 +5,11 @@ function header() {
   const { faces, genus, boundaries } = origin.mesh;
   const last = curves.l2.length - 1;
   const kind = [counted(faces, "face"), `genus ${genus}`, boundaries > 0 ? counted(boundaries, "boundary loop") : "no boundary"].join(", ");
-  const summary = `${counted(facts.measured, "frame")} of a surface of ${kind}. In the last one lengths are right to ` +
-    `${percent(curves.l2[last])} (root mean square; at most ${percent(curves.max[last])} off), with ${counted(curves.rims[last], "rim")} and ${counted(curves.pinchPoints[last], "pinch point")}.`;
+  const [rims, pinches] = [curves.rims[last], curves.pinchPoints[last]];
+  const folds = rims + pinches === 0 ? "without rims and pinch points" : `with ${counted(rims, "rim")} and ${counted(pinches, "pinch point")}`;
+  const [error, largest] = [curves.l2[last], curves.max[last]].map((x) => percent(Number(x.toPrecision(2))));
+  const summary = `${counted(facts.measured, "frame")} of a surface of ${kind}. ${facts.measured > 1 ? "In the last one lengths" : "Lengths"} are right to ` +
+    `${error} (root mean square; the worst is off by ${largest}), ${folds}.`;
   return make("header", {}, make("p", { class: "kicker" }, "immerse · shape from metric"), make("h1", {}, origin.scene.replaceAll("_", " ")), make("p", { class: "lead" }, summary));
 }
 

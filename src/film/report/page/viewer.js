@@ -2,7 +2,7 @@
 
 const DARK = {
   background: [0.0144, 0.0176, 0.0232],
-  line: [0.85, 0.8, 0.72],
+  line: [0.58, 0.54, 0.48],
   rimDarkening: -0.45,
 };
 

@@ -30,7 +30,7 @@ function short(x) {
   if (size >= 1e6 || size < 1e-4) {
     const power = Math.floor(Math.log10(size));
     const digits = (x / 10 ** power).toPrecision(3).replace(/\.?0+$/, "");
-    return minus(`${digits} · 10${raised(power)}`);
+    return minus(digits === "1" ? `10${raised(power)}` : `${digits} · 10${raised(power)}`);
   }
   return minus(Number.isInteger(x) ? String(x) : x.toPrecision(4).replace(/(\.\d*?)0+$/, "$1").replace(/\.$/, ""));
 }
