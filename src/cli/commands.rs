@@ -109,7 +109,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             session.hold(&folder)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, session)?;
             session.log.finish();
-            clear_leftovers(&folder, None, &session.log)?;
+            clear_leftovers(&folder, None, false, &session.log)?;
             let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
             write_curves_of_film(&folder, &inspection)?;
             writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
@@ -129,7 +129,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             }
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
             session.log.finish();
-            clear_leftovers(&folder, Some(&scene.output), &session.log)?;
+            clear_leftovers(&folder, Some(&scene.output), false, &session.log)?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work, restart } => {
@@ -192,12 +192,12 @@ fn run(
     session.hold(&folder)?;
     let [simulated, rendered] = pipeline::run(&scene, &folder, restart, &frames, session)?;
     session.log.finish();
+    clear_leftovers(&folder, Some(&scene.output), scene.output.report, &session.log)?;
     let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
     let reported = match scene.output.report {
         true => Some(write_report(&folder, &inspection, restart, session)?),
         false => None,
     };
-    clear_leftovers(&folder, Some(&scene.output), &session.log)?;
     write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;

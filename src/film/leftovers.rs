@@ -26,11 +26,15 @@ pub struct Leftovers {
 
 /// Removes pictures and curves from the folder of a film that show no frame of it, and finds those in formats that
 /// `output` does not ask for. Only files with the names that this program gives are looked at, and only those are removed
-/// that say of themselves that this program made them.
+/// that say of themselves that this program made them. Where a new page follows, the old one waits for it.
 ///
 /// # Errors
 /// [`FilmError::Disk`] if there is no film, [`FilmError::Render`] if a file cannot be removed.
-pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, FilmError> {
+pub fn clear_leftovers(
+    folder: &Path,
+    output: Option<&OutputSection>,
+    page_follows: bool,
+) -> Result<Leftovers, FilmError> {
     let film = FilmFolder::open(folder)?;
     let frames = film.manifest().frame_count;
     let (ledger, of_page) = (Ledger::open(folder)?, Ledger::of_page(folder)?);
@@ -48,6 +52,7 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
             Made::Frame(number, _) => {
                 shows.is_none_or(|shows| film.contents(number).ok().is_none_or(|now| now.0 != shows))
             }
+            Made::Report if page_follows => false,
             Made::Film(_) | Made::Sheet | Made::Report => shows != Some(of_all),
         };
         if is_stale && (made == Made::Curves || is_ours(&path)) {

@@ -257,7 +257,7 @@ fn failed_checks_come_first_in_sentences() {
 fn a_page_is_as_small_as_it_has_to_be() {
     let folder = TempDir::new().unwrap();
     let scene = "[mesh]\nshape = 'torus'\nmajor_radius = 1\nminor_radius = 0.4\ncolumns = 40\nrows = 20\n\
-                 [start]\nrandom = 1\n[clock]\nframes = 60\nsteps_per_frame = 1\n[output]\nformat = []\n";
+                 [start]\nrandom = 1\n[clock]\nframes = 60\nsteps_per_frame = 1\n[output]\nsize = [64, 48]\n";
     fs::write(folder.path().join("film.toml"), scene).unwrap();
     run(folder.path(), &["simulate", "film.toml", "--out", "out"], 0);
     run(folder.path(), &["report", "out"], 0);

@@ -84,10 +84,9 @@ pub(super) fn unconverged(frames: &[Small]) -> Json {
             "frame": report.frame,
             "error": six_digits(report.l2_length_error),
             "steps": report.cursor.steps,
-            "phase": report.cursor.phase + 1,
-            "turn": six_digits(report.cursor.turn.to_degrees()),
-            "dt": six_digits(report.cursor.dt),
+            "max": six_digits(report.max_length_error),
             "rims": report.rims,
+            "pinchPoints": report.pinch_points,
             "restarts": report.cursor.restarts,
         })
     };

@@ -86,7 +86,8 @@ pub(super) fn pack(
     let mesh = mesh_streams(subject);
     let mut frames: Vec<usize> = (0..small.len()).collect();
     loop {
-        let (mut streams, mut fields) = frame_streams(subject, records, small, lengths, grid, &frames, wanted)?;
+        let Changing { always: mut streams, mut fields } =
+            frame_streams(subject, records, small, lengths, grid, &frames, wanted)?;
         let size = |streams: &[Stream]| streams.iter().map(|stream| stream.text.len()).sum::<usize>();
         let least = size(&mesh) + size(&streams) + fields.first().map_or(0, |(_, stream)| stream.text.len());
         if least > MOST_BYTES && frames.len() > 1 {
@@ -117,7 +118,14 @@ fn mesh_streams(subject: &Subject) -> Vec<Stream> {
     vec![Stream::of_numbers("triangles", &corners), Stream::of_numbers("pins", &subject.pins)]
 }
 
-/// What changes from frame to frame: streams that every page has, and those of fields.
+/// What changes from frame to frame.
+struct Changing {
+    /// Streams that every page has.
+    always: Vec<Stream>,
+    fields: Vec<(Shown, Stream)>,
+}
+
+/// Packs what changes from one of these frames to the next.
 fn frame_streams(
     subject: &Subject,
     records: &mut Records,
@@ -126,7 +134,7 @@ fn frame_streams(
     grid: &Grid,
     frames: &[usize],
     wanted: &[Shown],
-) -> io::Result<(Vec<Stream>, Vec<(Shown, Stream)>)> {
+) -> io::Result<Changing> {
     let vertices = subject.mesh.vertex_count();
     let mut places = Places::new(vertices, &subject.triangles);
     let (mut curves, mut sky) = (Curves::default(), Shares::default());
@@ -166,5 +174,5 @@ fn frame_streams(
     );
     streams.extend(large);
     streams.extend(curves.finish());
-    Ok((streams, packed))
+    Ok(Changing { always: streams, fields: packed })
 }

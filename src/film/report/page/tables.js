@@ -43,7 +43,7 @@ function findings() {
   const missing = facts.origin.frames - facts.measured;
   const all = missing > 0 ? [`${counted(missing, "frame")} of ${facts.origin.frames} are not computed, or damaged: the page ends with frame ${facts.measured}.`, ...faults] : faults;
   const words = all.length > 0
-    ? make("div", { class: "fault" }, make("h2", {}, "Not all is well"), make("ul", {}, all.map((fault) => make("li", {}, fault))))
+    ? make("div", { class: "fault" }, make("h2", {}, "Not all is well"), make("ul", {}, all.map((fault) => make("li", {}, marked(fault)))))
     : make("p", { class: "well" }, checks.length > 0 ? "All that the scene asks for holds." : "Nothing is wrong that the program would know of.");
   return make("section", { class: "findings", "aria-label": "Findings" }, words, list);
 }
@@ -57,7 +57,7 @@ function classes() {
     section.append(make("p", {}, "No loop on this surface but those that contract: it has no generators, and there is one class."));
     return section;
   }
-  const figure = (digit) => (digit == null ? "–" : digit === "1" ? "1, a figure 8" : "0, a figure 0");
+  const figure = (digit) => (digit == null ? "–" : digit === "1" ? "1 (figure 8)" : "0 (figure 0)");
   section.append(table(["generator", "length", "faces", "asked for", "found"], generators.map((g, k) => ({
     mark: g.asked != null && g.found != null && g.asked !== g.found ? "broken" : null,
     cells: [[k + 1, String(k + 1)], [g.length, short(g.length)], [g.faces, String(g.faces)], figure(g.asked), figure(g.found)],
@@ -88,10 +88,10 @@ function unconverged() {
   }
   const shown = list.slice(0, 200);
   section.append(
-    make("p", {}, `${counted(list.length, "frame")} of ${facts.measured} ran into the limit of steps before the frames of faces stood still. The turn is how far they still went in the last step.`),
-    table(["frame", "length error", "turn", "steps", "phase", "Δt", "rims", "drawn anew"], shown.map((row) => [
-      [row.frame, String(row.frame)], [row.error, percent(row.error)], [row.turn, `${short(row.turn)}°`], [row.steps, String(row.steps)],
-      [row.phase, String(row.phase)], [row.dt, short(row.dt)], [row.rims, String(row.rims)], [row.restarts, String(row.restarts)],
+    make("p", {}, `${counted(list.length, "frame")} of ${facts.measured} ran into the limit of steps before the frames of faces stood still. What may be the cause is said at the top of this page; a frame with rims has folds that did not open.`),
+    table(["frame", "length error", "largest", "steps until then", "rims", "pinch points", "drawn anew"], shown.map((row) => [
+      [row.frame, String(row.frame)], [row.error, percent(row.error)], [row.max, percent(row.max)], [row.steps, String(row.steps)],
+      [row.rims, String(row.rims)], [row.pinchPoints, String(row.pinchPoints)], [row.restarts, String(row.restarts)],
     ])));
   if (list.length > shown.length) section.append(make("p", { class: "note" }, `${list.length - shown.length} more are in the reports beside the frames.`));
   return section;
@@ -126,7 +126,7 @@ function eventTable(list, viewer) {
     return section;
   }
   const row = ({ place, number, words }) => [
-    [number, make("button", { type: "button", class: "link", onclick: () => { viewer.pause(); viewer.go(place); viewer.canvas.scrollIntoView({ block: "nearest", behavior: "smooth" }); } }, `frame ${number}`)], words,
+    make("button", { type: "button", class: "link", onclick: () => { viewer.pause(); viewer.go(place); viewer.canvas.scrollIntoView({ block: "nearest", behavior: "smooth" }); } }, `frame ${number}`), words,
   ];
   const all = table(["when", "what"], list.map(row), { sorts: false });
   section.append(list.length > 8 ? make("details", {}, make("summary", {}, counted(list.length, "frame with an event", "frames with events")), all) : all);

@@ -53,6 +53,11 @@ function counted(count, one, many = `${one}s`) {
   return `${count.toLocaleString("en").replaceAll(",", " ")} ${count === 1 ? one : many}`;
 }
 
+/** A text in which names of keys stand between backquotes. */
+function marked(text) {
+  return text.split("`").map((part, k) => (k % 2 === 1 ? make("code", {}, part) : part));
+}
+
 /** sRGB of linear light, as CSS has it. */
 function css(linear) {
   const byte = (x) => {
