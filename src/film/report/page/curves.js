@@ -36,7 +36,7 @@ class Curves {
     this.cursors = [];
     for (const panel of this.list) this.element.append(this.panel(panel));
     this.element.append(make("p", { class: "note" },
-      "Energies are those of the frames without target angles, with the weights of the last phase. Press anywhere in a diagram to go there."));
+      "Energies are those of the frames without target angles, with the weights of the last phase.", make("span", { class: "hint" }, " Press anywhere in a diagram to go there.")));
     new ResizeObserver(() => this.plot()).observe(this.element);
     this.plot();
     viewer.listen((place) => this.show(place));
@@ -90,7 +90,7 @@ class Curves {
     let [low, high] = log ? [Math.floor(Math.min(...all)), Math.ceil(Math.max(...all))] : [Math.min(0, ...all), Math.max(...all)];
     if (!Number.isFinite(low)) [low, high] = [0, 1];
     if (high <= low) high = low + 1;
-    const ticks = log ? decades(low, high) : rounds(low, high);
+    const ticks = log ? decades(low, high) : rounds(low, high, 3, panel.write === short ? 1 : 0);
     if (!log) high = Math.max(high, ticks.at(-1));
     const up = (x) => bottom - ((x - low) / (high - low)) * (bottom - MARGIN.top);
     svg.replaceChildren();
@@ -129,9 +129,9 @@ function decades(low, high) {
   return Array.from({ length: Math.floor((high - low) / step) + 1 }, (_, k) => low + k * step);
 }
 
-/** Numbers that read well, about so many. */
-function rounds(low, high, count = 3) {
-  const least = (high - low) / count || 1;
+/** Numbers that read well, about so many, and as far apart as `finest` or farther. */
+function rounds(low, high, count = 3, finest = 0) {
+  const least = Math.max(finest, (high - low) / count) || 1;
   const power = 10 ** Math.floor(Math.log10(least));
   const step = [1, 2, 5, 10].map((k) => k * power).find((s) => s >= least * 0.999);
   const first = Math.ceil(low / step - 1e-9), last = Math.floor(high / step + 1e-9);

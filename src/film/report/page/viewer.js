@@ -89,8 +89,9 @@ class Viewer {
     const thinned = facts.frames.length < facts.measured
       ? ` The page has room for ${facts.frames.length} of the ${facts.measured} frames, evenly spread; curves have all of them.` : "";
     const fields = facts.fields.length > 0 ? " Fields have 254 steps from end to end of their legend." : "";
-    return `Drag to turn, pinch or roll the wheel to come closer, drag with Shift or two fingers to move. Each coordinate of a vertex is exact to ` +
+    const exact = `Each coordinate of a vertex is exact to ` +
       `± ${short(step / 2)} (${percent(step / 2 / facts.diagonal)} of the diagonal of the film).${fields}${thinned}${left}`;
+    return [make("span", { class: "hint" }, "Drag to turn, pinch or roll the wheel to come closer, drag with Shift or two fingers to move. "), exact];
   }
 
   /** Marks on the track: where rims come and go, and where the surface begins or ends to pass through itself. */
