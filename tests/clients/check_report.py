@@ -11,7 +11,7 @@ from playwright.sync_api import sync_playwright
 from skimage.io import imread
 from skimage.metrics import structural_similarity
 
-FILMS = Path(sys.argv[1])
+FILMS = Path(sys.argv[1]).resolve()
 CHROMIUM = next(path for name in ("chromium", "chromium-browser", "google-chrome") if (path := shutil.which(name)))
 # WebGL 2 without a graphics card.
 GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
@@ -35,6 +35,12 @@ class Page:
         self.page.goto((FILMS / film / "report.html").as_uri())
         self.page.wait_for_selector("#page[data-ready]", timeout=120_000)
         self.film = film
+
+    def box(self, selector):
+        """Where something is in the window, once it is there."""
+        element = self.page.locator(selector).first
+        element.scroll_into_view_if_needed()
+        return element.bounding_box()
 
     def place(self):
         return self.page.evaluate("viewer.place")
@@ -69,7 +75,7 @@ def looks_as_rendered(browser, film, frame, least=0.95):
     # An empty picture is like any other that is mostly background.
     seen = [numpy.any(picture != picture[0, 0], axis=2) for picture in (found, wanted)]
     both = numpy.sum(seen[0] & seen[1]) / numpy.sum(seen[0] | seen[1])
-    assert both > 0.9 and seen[1].mean() > 0.02, f"{film}, frame {frame}: the same places are covered to {both}"
+    assert both > 0.9 and seen[1].mean() > 0.002, f"{film}, frame {frame}: the same places are covered to {both}"
     page.close()
 
 
@@ -79,6 +85,7 @@ def plays_scrubs_and_turns(browser, film):
     readings = lambda: page.page.eval_on_selector_all(".panel .heading", "list => list.map((e) => e.textContent)")
     cursor = lambda: page.page.eval_on_selector(".plot .cursor", "line => Number(line.getAttribute('x1'))")
     first, read, stood = page.picture(), readings(), cursor()
+    page.page.evaluate("viewer.rate = 2")  # a machine without a graphics card takes its time
     page.page.keyboard.press("Space")
     page.page.wait_for_function("viewer.place > 3", timeout=60_000)
     page.page.keyboard.press("Space")
@@ -88,7 +95,7 @@ def plays_scrubs_and_turns(browser, film):
     assert not numpy.array_equal(page.picture(), first), "playing changes nothing"
     assert readings() != read and cursor() > stood, "curves do not follow"
 
-    box = page.page.locator("#scrubber").bounding_box()
+    box = page.box("#scrubber")
     page.page.mouse.click(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     assert abs(page.place() - (count - 1) / 2) <= 1, page.place()
     page.page.keyboard.press("ArrowRight")
@@ -99,19 +106,20 @@ def plays_scrubs_and_turns(browser, film):
     assert page.place() == count - 1
     page.page.keyboard.press("Home")
     assert page.place() == 0 and numpy.array_equal(page.picture(), first), "the first frame is another one"
-    plot = page.page.locator(".plot").first.bounding_box()
+    plot = page.box(".plot")
     page.page.mouse.click(plot["x"] + 0.75 * plot["width"], plot["y"] + plot["height"] / 2)
     assert page.place() > count / 2, "a press in a diagram goes nowhere"
-    page.page.evaluate("viewer.go(0)")
+    page.page.evaluate("viewer.go(Math.floor(viewer.frames.length / 2))")
 
-    box = page.page.locator("#film").bounding_box()
+    still = page.picture()
+    box = page.box("#film")
     middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.page.mouse.move(*middle)
     page.page.mouse.down()
     page.page.mouse.move(middle[0] + 120, middle[1] + 40, steps=4)
     page.page.mouse.up()
     turned = page.picture()
-    assert numpy.mean(numpy.any(turned != first, axis=2)) > 0.02, "it cannot be turned"
+    assert numpy.mean(numpy.any(turned != still, axis=2)) > 0.02, "it cannot be turned"
     page.page.keyboard.press("t")
     assert not numpy.array_equal(page.picture(), turned), "see-through is not"
     page.page.keyboard.press("t")
@@ -121,8 +129,7 @@ def plays_scrubs_and_turns(browser, film):
         assert not numpy.array_equal(page.picture(), turned), field
     page.page.select_option("#color", "")
     page.page.keyboard.press("r")
-    if page.page.evaluate("facts => viewer.color.value === ''"):
-        assert page.page.locator(".legend").is_hidden()
+    assert page.page.locator(".legend").is_hidden()
     page.close()
 
 

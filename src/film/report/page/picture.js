@@ -173,6 +173,19 @@ class Picture {
     gl.drawArrays(gl.TRIANGLES, 0, 3 * faces);
   }
 
+  /** What of the surface is nearest in each sample: depths first, so that nothing is shaded that is not seen. */
+  nearest(surface, faces) {
+    const { gl } = this;
+    gl.colorMask(false, false, false, false);
+    this.use("surface", { ...surface, depth_alone: true });
+    this.triangles(faces);
+    gl.colorMask(true, true, true, true);
+    gl.depthFunc(gl.EQUAL);
+    this.use("surface", { ...surface, depth_alone: false });
+    this.triangles(faces);
+    gl.depthFunc(gl.LESS);
+  }
+
   /** Lines of a kind: segments with ends in the space of the film. */
   lines({ segments, width, color, outline = false, raised = false }, common) {
     if (segments.length === 0 || width === 0) return;
@@ -229,8 +242,7 @@ class Picture {
     const isOpaque = look.opacity.every((x) => x === 1) && look.edgeOpacity === 1;
     this.begin(opaque);
     if (isOpaque) {
-      this.use("surface", surface);
-      this.triangles(faces);
+      this.nearest(surface, faces);
     }
     for (const kind of lines) this.lines(kind, common);
     const picture = isOpaque ? opaque : this.peeled(surface, opaque, faces, width, height);
@@ -266,8 +278,7 @@ class Picture {
       const [mine, before] = [layers[layer % 2], layers[(layer + 1) % 2]];
       this.begin(mine);
       // A texture cannot be read while it is drawn upon; the first layer asks for none.
-      this.use("surface", { ...surface, layer, nearer: layer > 0 ? before.depth : surface.nearer, opaque: opaque.depth });
-      this.triangles(faces);
+      this.nearest({ ...surface, layer, nearer: layer > 0 ? before.depth : surface.nearer, opaque: opaque.depth }, faces);
       lay(mine.light);
     }
     lay(opaque.light);

@@ -104,6 +104,7 @@ uniform vec3 shadow_x, shadow_y, shadow_z, shadow_middle;
 uniform float shadow_radius;
 uniform int layer;               // -1 where everything is opaque
 uniform highp sampler2D nearer, opaque;
+uniform bool depth_alone;
 flat in vec3 c0, c1, c2, n0, n1, n2, lengths;
 in vec3 weights, at, normal;
 in vec2 sky;
@@ -161,6 +162,8 @@ void main() {
     if (gl_FragCoord.z >= texelFetch(opaque, here, 0).r) discard;
     if (layer > 0 && gl_FragCoord.z <= texelFetch(nearer, here, 0).r) discard;
   }
+  color = vec4(0.0);
+  if (depth_alone) return;
   int side = gl_FrontFacing ? 0 : 1;
   float sign = gl_FrontFacing ? 1.0 : -1.0;
   vec3 even = sign * normalize(cross(c1 - c0, c2 - c0));

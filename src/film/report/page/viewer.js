@@ -11,6 +11,8 @@ class Viewer {
     this.film = film;
     this.frames = facts.frames;
     this.place = 0;
+    /** Frames of the film a second, whether or not the page has all of them. */
+    this.rate = facts.rate;
     this.camera = new Camera();
     this.listeners = [];
     this.build();
@@ -182,7 +184,6 @@ class Viewer {
   paint(onPaper = false) {
     const { picture, surface, camera, canvas, boxes, film, field } = this;
     if (!picture) return;
-    const started = performance.now();
     const seen = camera.see(this.place, canvas.width / canvas.height);
     // Places are relative to the middle of the film.
     const view = { ...seen, shift: matrix.apply(seen.turn, facts.camera.center).map((x, k) => x + seen.shift[k]) };
@@ -214,12 +215,13 @@ class Viewer {
       kinds.push({ segments: surface.points(film.pinchPoints[this.place]), width: lines.pinch || 16, color: lines.rimColor, raised: true });
     }
     if (boxes.pins?.checked) kinds.push({ segments: surface.points(film.pins), width: lines.pin || 10, color: isDark ? DARK.line : lines.pinColor, raised: true });
-    picture.draw({ view, look, lines: kinds, faces: film.faces, ball: surface.ball, fine: !this.isSlow || !(this.playing || this.dragging) });
+    picture.draw({ view, look, lines: kinds, faces: film.faces, ball: surface.ball, fine: !(this.slow > 2) || !(this.playing || this.dragging) });
     this.reset.disabled = !camera.isMoved;
-    // Where that takes long, pictures that move are coarser.
-    picture.gl.flush();
-    const took = performance.now() - started;
-    if ((this.playing || this.dragging) && took > 60) this.isSlow = true;
+    // Where pictures come slowly, those that move are coarser.
+    const now = performance.now();
+    const moves = this.playing || this.dragging;
+    if (moves && this.lastMoved && now - this.lastMoved > 100) this.slow = (this.slow ?? 0) + 1;
+    this.lastMoved = moves ? now : 0;
   }
 
   // How it plays.
@@ -240,7 +242,7 @@ class Viewer {
     const from = this.place;
     const tick = (now) => {
       if (!this.playing) return;
-      let place = from + Math.max(0, Math.floor(((now - since) / 1000) * facts.rate / stride));
+      let place = from + Math.max(0, Math.floor(((now - since) / 1000) * this.rate / stride));
       const count = this.frames.length;
       if (place >= count) {
         if (!facts.loop) {
