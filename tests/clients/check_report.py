@@ -84,6 +84,7 @@ def plays_scrubs_and_turns(browser, film):
     count = page.page.evaluate("viewer.frames.length")
     readings = lambda: page.page.eval_on_selector_all(".panel .heading", "list => list.map((e) => e.textContent)")
     cursor = lambda: page.page.eval_on_selector(".plot .cursor", "line => Number(line.getAttribute('x1'))")
+    page.page.select_option("#color", "")
     first, read, stood = page.picture(), readings(), cursor()
     page.page.evaluate("viewer.rate = 2")  # a machine without a graphics card takes its time
     page.page.keyboard.press("Space")

@@ -46,6 +46,26 @@ fn coarse(x: u16) -> u16 {
     (x / CURVE_STEPS).saturating_add(u16::from(x % CURVE_STEPS >= CURVE_STEPS / 2))
 }
 
+/// Segments on the coarser grid, each once: a surface that is crumpled passes through itself a hundred times in one place.
+fn segments_of(crossings: &[[DVec3; 2]], grid: &Grid) -> Vec<[[u16; 3]; 2]> {
+    let ends = |ends: &[DVec3; 2]| ends.map(|end| grid.nearest(end).map(coarse));
+    let ordered = |[a, b]: [[u16; 3]; 2]| if a <= b { [a, b] } else { [b, a] };
+    let mut segments: Vec<_> = crossings.iter().map(ends).filter(|[a, b]| a != b).map(ordered).collect();
+    segments.sort_unstable();
+    segments.dedup();
+    if segments.len() > MOST_SEGMENTS {
+        let length = |[a, b]: &[[u16; 3]; 2]| (0..3).map(|k| u64::from(a[k].abs_diff(b[k])).pow(2)).sum::<u64>();
+        segments.sort_by_key(|ends| std::cmp::Reverse(length(ends)));
+        segments.truncate(MOST_SEGMENTS);
+        segments.sort_unstable();
+    }
+    segments
+}
+
+/// A frame that passes through itself in more segments than this has its longest ones: there are so many only where frames are drawn
+/// at random, and there they cover everything.
+const MOST_SEGMENTS: usize = 30_000;
+
 /// A field with the range in which it is shown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shown {
@@ -143,12 +163,7 @@ fn frame_streams(
         let Record { positions, sky: [front, back], fields: values, crossings } =
             records.read(frame, vertices, lengths)?;
         places.push(&positions.iter().map(|&point| grid.nearest(point)).collect::<Vec<_>>());
-        let segments: Vec<[[u16; 3]; 2]> = crossings
-            .iter()
-            .map(|ends| ends.map(|end| grid.nearest(end).map(coarse)))
-            .filter(|[a, b]| a != b)
-            .collect();
-        curves.push(&chains(&segments));
+        curves.push(&chains(&segments_of(&crossings, grid)));
         sky.push([front, back].concat());
         for (field, shown) in fields.iter_mut().zip(wanted) {
             field.push(values[shown.place].iter().map(|&value| shown.byte(value)).collect());
