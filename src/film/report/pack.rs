@@ -17,6 +17,9 @@ use crate::render::ColorMap;
 /// Bytes that all streams may take together; the rest of a page is small.
 const MOST_BYTES: usize = 9_600_000;
 
+/// Bytes before they are compressed. More would hardly fit, and take memory.
+const MOST_RAW_BYTES: usize = 64 << 20;
+
 /// The box around all frames, cut into 2¹⁶ − 1 steps along its longest side.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
@@ -104,7 +107,9 @@ pub(super) fn pack(
     wanted: &[Shown],
 ) -> io::Result<Packed> {
     let mesh = mesh_streams(subject);
-    let mut frames: Vec<usize> = (0..small.len()).collect();
+    let bytes_of_frame =
+        8 * subject.mesh.vertex_count() + wanted.iter().map(|shown| lengths[shown.place]).sum::<usize>();
+    let mut frames = evenly(small.len(), small.len().min(MOST_RAW_BYTES / bytes_of_frame.max(1)).max(1));
     loop {
         let Changing { always: mut streams, mut fields } =
             frame_streams(subject, records, small, lengths, grid, &frames, wanted)?;
