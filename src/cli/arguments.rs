@@ -112,6 +112,14 @@ pub(super) enum Command {
         #[arg(long)]
         restart: bool,
     },
+    /// Write a page of a computed film, DIR/report.html, which needs nothing else: the film to be turned, curves, tables
+    Report {
+        /// The folder of the film
+        folder: PathBuf,
+        /// Write it anew
+        #[arg(long)]
+        restart: bool,
+    },
     /// Write a commented scene to start from
     New {
         /// Name of the scene; NAME.toml is written
@@ -138,6 +146,7 @@ impl Command {
                 | Command::Render { .. }
                 | Command::Gallery { .. }
                 | Command::Export { .. }
+                | Command::Report { .. }
         )
     }
 
@@ -148,7 +157,8 @@ impl Command {
             | Command::Simulate { restart, .. }
             | Command::Render { restart, .. }
             | Command::Gallery { restart, .. }
-            | Command::Export { restart, .. } => *restart,
+            | Command::Export { restart, .. }
+            | Command::Report { restart, .. } => *restart,
             _ => false,
         }
     }

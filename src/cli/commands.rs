@@ -18,6 +18,7 @@ use super::picture_options::PictureOptions;
 use super::pipeline::{self, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};
+use super::report::{report, write_report};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::{count_classes, folder_of};
 use crate::film::{self, FilmFolder, Plan};
@@ -108,7 +109,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             session.hold(&folder)?;
             let summary = pipeline::simulate(&scene, &folder, *restart, session)?;
             session.log.finish();
-            clear_leftovers(&folder, None, &session.log)?;
+            clear_leftovers(&folder, None, false, &session.log)?;
             let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
             write_curves_of_film(&folder, &inspection)?;
             writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
@@ -128,7 +129,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             }
             let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
             session.log.finish();
-            clear_leftovers(&folder, Some(&scene.output), &session.log)?;
+            clear_leftovers(&folder, Some(&scene.output), false, &session.log)?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
         Command::Gallery { scenes, out: folder, work, restart } => {
@@ -147,6 +148,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             let request = Request { folder, formats: format, to: to.as_deref(), restart: *restart };
             export(&request, frames.as_ref(), session, out)
         }
+        Command::Report { folder, restart } => report(folder, *restart, session, out),
         Command::New { name } => new(name, out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
@@ -190,11 +192,16 @@ fn run(
     session.hold(&folder)?;
     let [simulated, rendered] = pipeline::run(&scene, &folder, restart, &frames, session)?;
     session.log.finish();
-    clear_leftovers(&folder, Some(&scene.output), &session.log)?;
+    clear_leftovers(&folder, Some(&scene.output), scene.output.report, &session.log)?;
     let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
+    let reported = match scene.output.report {
+        true => Some(write_report(&folder, &inspection, restart, session)?),
+        false => None,
+    };
     write_curves_of_film(&folder, &inspection)?;
     writeln!(out, "{}", sentence("frames computed", simulated, &folder))?;
     writeln!(out, "{}", sentence("pictures made", rendered, &folder))?;
+    reported.map_or(Ok(()), |reported| writeln!(out, "{}", reported))?;
     export_as_asked(&scene, &folder, restart, session, out)?;
     inspection.write_summary(out)?;
     if !inspection.checks.is_empty() {

@@ -7,9 +7,16 @@ use super::progress::Log;
 use crate::film::{self, Leftovers};
 use crate::scene::OutputSection;
 
-/// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each.
-pub(super) fn clear_leftovers(folder: &Path, output: Option<&OutputSection>, log: &Log) -> Result<(), PipelineError> {
-    let Leftovers { removed, older } = film::clear_leftovers(folder, output).map_err(PipelineError::from)?;
+/// Removes pictures of another film and says which, and names those of formats that were not made now, on a line each. A page that
+/// is about to be written is neither.
+pub(super) fn clear_leftovers(
+    folder: &Path,
+    output: Option<&OutputSection>,
+    page_follows: bool,
+    log: &Log,
+) -> Result<(), PipelineError> {
+    let cleared = film::clear_leftovers(folder, output, page_follows);
+    let Leftovers { removed, older } = cleared.map_err(PipelineError::from)?;
     say_removed(folder, &removed, log);
     say(folder, "left from an earlier run, not made anew", &older, log);
     Ok(())

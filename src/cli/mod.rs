@@ -18,6 +18,7 @@ mod picture_options;
 mod pipeline;
 mod process;
 mod progress;
+mod report;
 mod results;
 mod selections;
 mod set_up;

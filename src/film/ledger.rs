@@ -1,4 +1,5 @@
-//! Which pictures of a film are made, `.immerse/pictures.jsonl` in its folder, and which exports, `.immerse/exports.jsonl` in theirs.
+//! Which pictures of a film are made, `.immerse/pictures.jsonl` in its folder, and its page, `.immerse/page.jsonl`; and which exports,
+//! `.immerse/exports.jsonl` in theirs.
 //!
 //! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum, after a
 //! checksum of the line itself. Lines are appended as files appear, and the last one of a file holds; a line that is not as
@@ -77,6 +78,9 @@ pub(super) const LEDGER: &str = ".immerse/pictures.jsonl";
 /// Where that of exports is in the folder they are in.
 pub(super) const EXPORTS: &str = ".immerse/exports.jsonl";
 
+/// Where that of the page of a film is in its folder.
+pub(super) const PAGE: &str = ".immerse/page.jsonl";
+
 impl Ledger {
     /// Of the pictures in a folder; empty if there is none.
     ///
@@ -92,6 +96,14 @@ impl Ledger {
     /// As [`Ledger::open`].
     pub fn of_exports(folder: &Path) -> Result<Ledger, FilmError> {
         Ledger::named(folder, EXPORTS)
+    }
+
+    /// Of the page in the folder of a film. Pictures come and go without it.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn of_page(folder: &Path) -> Result<Ledger, FilmError> {
+        Ledger::named(folder, PAGE)
     }
 
     fn named(folder: &Path, name: &'static str) -> Result<Ledger, FilmError> {

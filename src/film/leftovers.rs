@@ -9,8 +9,9 @@ use std::{
 use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
-use super::ledger::{LEDGER, Ledger};
+use super::ledger::{LEDGER, Ledger, PAGE};
 use super::pictures::SHEET;
+use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
 use crate::whole_file;
 
@@ -25,28 +26,34 @@ pub struct Leftovers {
 
 /// Removes pictures and curves from the folder of a film that show no frame of it, and finds those in formats that
 /// `output` does not ask for. Only files with the names that this program gives are looked at, and only those are removed
-/// that say of themselves that this program made them.
+/// that say of themselves that this program made them. Where a new page follows, the old one waits for it.
 ///
 /// # Errors
 /// [`FilmError::Disk`] if there is no film, [`FilmError::Render`] if a file cannot be removed.
-pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<Leftovers, FilmError> {
+pub fn clear_leftovers(
+    folder: &Path,
+    output: Option<&OutputSection>,
+    page_follows: bool,
+) -> Result<Leftovers, FilmError> {
     let film = FilmFolder::open(folder)?;
     let frames = film.manifest().frame_count;
-    let ledger = Ledger::open(folder)?;
+    let (ledger, of_page) = (Ledger::open(folder)?, Ledger::of_page(folder)?);
     let of_all = film.all_contents();
     let mut leftovers = Leftovers::default();
     leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));
     for (name, made) in made_files(folder)? {
         let path = folder.join(&name);
-        let shows = ledger.entry(&name).map(|entry| entry.shows);
+        let known = if made == Made::Report { &of_page } else { &ledger };
+        let shows = known.entry(&name).map(|entry| entry.shows);
         let is_stale = match made {
             Made::Curves => has_curves,
             // A frame that is not done shows nothing.
             Made::Frame(number, _) => {
                 shows.is_none_or(|shows| film.contents(number).ok().is_none_or(|now| now.0 != shows))
             }
-            Made::Film(_) | Made::Sheet => shows != Some(of_all),
+            Made::Report if page_follows => false,
+            Made::Film(_) | Made::Sheet | Made::Report => shows != Some(of_all),
         };
         if is_stale && (made == Made::Curves || is_ours(&path)) {
             remove(&path)?;
@@ -56,16 +63,18 @@ pub fn clear_leftovers(folder: &Path, output: Option<&OutputSection>) -> Result<
         }
     }
     ledger.close()?;
+    of_page.close()?;
     Ok(leftovers)
 }
 
-/// Removes the frames of whatever film a folder holds, and forgets what its pictures were made of, to begin anew. Pictures
+/// Removes the frames of whatever film a folder holds, and forgets what its pictures and its page were made of, to begin anew. Pictures
 /// are then made again, or go with [`clear_leftovers`]. Files that are not of a film stay.
 ///
 /// # Errors
 /// [`FilmError::Disk`] if the folder is a file or a frame cannot be removed, [`FilmError::Render`]
 pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
     FilmFolder::clear(folder)?;
+    remove(&folder.join(PAGE))?;
     forget_pictures(folder)
 }
 
@@ -105,6 +114,7 @@ enum Made {
     Frame(usize, bool),
     Film(AnimationFormat),
     Sheet,
+    Report,
     Curves,
 }
 
@@ -115,6 +125,7 @@ impl Made {
         match (stem, ending) {
             (_, "png" | "exr") if is_number => Some(Made::Frame(stem.parse().ok()?, ending == "png")),
             _ if name == SHEET => Some(Made::Sheet),
+            _ if name == REPORT => Some(Made::Report),
             ("curves", "csv" | "svg") => Some(Made::Curves),
             _ => {
                 let formats = [AnimationFormat::Gif, AnimationFormat::Apng, AnimationFormat::Mp4];
@@ -129,6 +140,7 @@ impl Made {
             Made::Frame(_, false) => output.exr,
             Made::Film(format) => output.animation.contains(&format),
             Made::Sheet => output.sheet > 0,
+            Made::Report => output.report,
             Made::Curves => true,
         }
     }

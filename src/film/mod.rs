@@ -2,16 +2,18 @@
 //!
 //! `disk` keeps the surface, the frames and their reports in a folder. `pictures` makes stills, sheets and posters of them, and
 //! `animation` puts pictures together to moving ones, and `export` writes
-//! frames as other programs read them. `ledger` remembers what each picture was made of, so that it is made
+//! frames as other programs read them. `report` makes a page of a film that is turned with the mouse. `ledger` remembers what each picture was made of, so that it is made
 //! again only when that changes. `leftovers` looks for what other films have left in the folder.
 
 mod animation;
 mod disk;
 mod error;
 mod export;
+mod kept_scene;
 mod ledger;
 mod leftovers;
 mod pictures;
+mod report;
 
 pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;
@@ -21,3 +23,4 @@ pub use pictures::{
     Arrivals, Event, Pictured, Plan, RENDERER, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
     make_poster, take_picture,
 };
+pub use report::{Finding, Findings, REPORT, REPORTER, Reported, report};

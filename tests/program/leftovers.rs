@@ -37,7 +37,7 @@ fn pictures(frames: usize) -> Vec<String> {
     if frames > 1 {
         names.extend(["curves.csv", "curves.svg"].map(str::to_owned));
     }
-    names.extend(["film.apng", "film.gif", "sheet.png"].map(str::to_owned));
+    names.extend(["film.apng", "film.gif", "report.html", "sheet.png"].map(str::to_owned));
     names
 }
 
@@ -75,7 +75,7 @@ fn pictures_of_another_film_go_when_it_is_run_in_their_place() {
     write_scene(folder.path(), 2);
     let err = run(folder.path(), &["run", "film.toml", "--out", "out", "--format", "png"]);
     let kept = ["000001.exr", "000001.png", "000002.exr", "000002.png"];
-    assert_eq!(files(&out), [&kept[..], &["curves.csv", "curves.svg", "sheet.png"]].concat(), "{err}");
+    assert_eq!(files(&out), [&kept[..], &["curves.csv", "curves.svg", "report.html", "sheet.png"]].concat(), "{err}");
     assert_eq!(fs::read_dir(out.join("frames")).unwrap().count(), 4, "two files a frame");
     assert_eq!(err.lines().count(), 2, "{err}");
 }

@@ -103,6 +103,7 @@ impl Standing {
             Some(Pictures { stage: "camera", of, done, .. }) => {
                 parts.push(format!("looking for the camera, frame {done} of {of}"));
             }
+            Some(Pictures { stage: "report", of, done, .. }) => parts.push(format!("report, frame {done} of {of}")),
             Some(Pictures { stage, of, done, .. }) => parts.push(format!("{stage}, picture {done} of {of}")),
             None => {}
         }

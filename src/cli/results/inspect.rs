@@ -10,6 +10,7 @@ use super::checks::{Check, checks_of};
 use super::text_table::{percent, short, write_table};
 use crate::evolve::FrameReport;
 use crate::film::{DiskError, FilmFolder, MeshCounts};
+use crate::scene::ChecksSection;
 
 /// What `inspect --json` prints.
 #[derive(Debug, Serialize)]
@@ -17,6 +18,9 @@ pub(in crate::cli) struct Inspection {
     mesh: MeshCounts,
     pub frames: Vec<FrameReport>,
     pub checks: Vec<Check>,
+    /// What the scene asks for.
+    #[serde(skip)]
+    pub asked: ChecksSection,
     /// Frames that are there but do not verify. Said on standard error.
     #[serde(skip)]
     pub damaged: Vec<DiskError>,
@@ -35,7 +39,7 @@ impl Inspection {
         }
         let manifest = film.manifest();
         let checks = checks_of(&manifest.checks, &frames);
-        Ok(Inspection { mesh: manifest.mesh, frames, checks, damaged })
+        Ok(Inspection { mesh: manifest.mesh, frames, checks, asked: manifest.checks.clone(), damaged })
     }
 
     pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {

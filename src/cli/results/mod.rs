@@ -2,6 +2,7 @@
 
 mod checks;
 mod curves;
+mod findings;
 mod inspect;
 mod text_table;
 mod verdict;
@@ -10,6 +11,7 @@ pub(super) use checks::ranges;
 pub use checks::{Check, checks_of, step_limit_line};
 pub(super) use curves::write_curves;
 pub use curves::{curves_csv, curves_svg};
+pub(super) use findings::findings;
 pub(super) use inspect::Inspection;
 pub(super) use text_table::percent;
 pub use verdict::verdict;

@@ -33,6 +33,7 @@ impl Relaxation {
     ) -> Result<Verdict, EvolveError> {
         self.cursor.step += 1;
         self.cursor.steps += 1;
+        self.cursor.inner_iterations += step.solve.iterations;
         if !step.turn.is_finite() {
             let (frames, mesh) = (self.state.face_frames(), self.state.mesh());
             let face = frames.iter().position(|frame| !frame.is_finite()).unwrap_or(0);

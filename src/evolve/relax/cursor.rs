@@ -11,6 +11,9 @@ pub struct Cursor {
     pub step: usize,
     /// Steps taken in all phases.
     pub steps: usize,
+    /// Iterations of the linear solver in all of them; 0 in films of versions that did not count them.
+    #[serde(default)]
+    pub inner_iterations: usize,
     /// How often frames were drawn anew because rims would not resolve.
     pub restarts: usize,
     /// Δt of the next step in mean face areas, where the phase lets it change; 0 at the start of a phase.
@@ -38,6 +41,7 @@ impl Cursor {
         };
         Cursor {
             steps: cursors.iter().map(|cursor| cursor.steps).sum(),
+            inner_iterations: cursors.iter().map(|cursor| cursor.inner_iterations).sum(),
             restarts: cursors.iter().map(|cursor| cursor.restarts).sum(),
             settled: cursors.iter().all(|cursor| cursor.settled),
             mirrored: cursors.iter().any(|cursor| cursor.mirrored),

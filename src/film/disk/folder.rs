@@ -160,8 +160,15 @@ impl FilmFolder {
     /// # Errors
     /// [`DiskError::Io`] if it cannot be read.
     pub fn scene(&self) -> Result<Option<Scene>, DiskError> {
-        let text = read(&self.folder.join(SCENE))?.and_then(|bytes| String::from_utf8(bytes).ok());
-        Ok(text.and_then(|text| Scene::parse(&text, &self.manifest.scene, &self.folder).ok()))
+        Ok(self.scene_text()?.and_then(|text| Scene::parse(&text, &self.manifest.scene, &self.folder).ok()))
+    }
+
+    /// The text of that scene, whether or not it can be read as one.
+    ///
+    /// # Errors
+    /// [`DiskError::Io`] if it cannot be read.
+    pub fn scene_text(&self) -> Result<Option<String>, DiskError> {
+        Ok(read(&self.folder.join(SCENE))?.and_then(|bytes| String::from_utf8(bytes).ok()))
     }
 
     /// The surface of the film.

@@ -9,7 +9,8 @@
 //!                          scenes, if the mesh has any; lattice (2 x 2), the sides of a flat torus
 //!     frames/000001.npz    the state of frame 1: one numpy.load opens it
 //!     frames/000001.json   its report, its key, and the checksum of the state
-//!     .immerse             what the pictures were made of
+//!     report.html          a page of the film
+//!     .immerse             what the pictures and the page were made of
 //!     .lock                who writes there, while somebody does
 //! ```
 //!

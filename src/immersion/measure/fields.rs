@@ -3,7 +3,7 @@
 use super::{ConformalFactor, bending_angles, gaussian_curvatures, length_errors, mean_curvatures};
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
-use crate::frames::{Shell, ShellError, Stiffness, hinge_energies};
+use crate::frames::{Shell, ShellError, Stiffness, hinge_energies, strains};
 use crate::mesh::{EdgeId, FaceId, Mesh};
 use crate::metric::Metric;
 use crate::spin::{Homology, SpinStructure};
@@ -169,6 +169,22 @@ impl Fields {
             }
             FieldName::Generators => FieldValues::PerFace(self.strips.get_or_init(|| self.strip_numbers()).clone()),
         })
+    }
+
+    /// The energy of bending, of rotation about the normal and of torsion (Eq. 39), with no target bending angles. Together
+    /// they are the energy of the frames, as lengths of unit quaternions add nothing.
+    ///
+    /// # Errors
+    /// [`FieldError`] if the frame is not of the mesh.
+    pub fn energy_terms(&self, frame: &FieldInput) -> Result<[f64; 3], FieldError> {
+        let shell = Shell::new(&self.mesh, frame.metric, frame.spin, None)?;
+        let mut terms = [0.0; 3];
+        for (hinge, strains) in shell.hinges().iter().zip(strains(&shell, frame.frames)) {
+            for k in 0..3 {
+                terms[k] += 0.5 * hinge.weight * self.stiffness[k + 1] * strains[k] * strains[k];
+            }
+        }
+        Ok(terms)
     }
 
     fn per_face(&self, value: impl Fn(FaceId) -> f64 + Sync) -> FieldValues {

@@ -12,4 +12,5 @@ mod visibility;
 pub use ground::draw_ground_shadow;
 pub use layer_builder::LayerBuilder;
 pub use shader::Shader;
+pub use sky::sky_all_around;
 pub use visibility::Visibility;

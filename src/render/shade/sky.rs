@@ -16,17 +16,44 @@ const SKY_RAY_BUDGET: usize = 2_500_000;
 /// Averaging over neighbours removes what noise is left: this many times with all rays, more often with
 /// fewer.
 const SKY_SMOOTHING: usize = 2;
+/// Rays and smoothing where both sides of a whole film are wanted.
+const FEW_RAYS: usize = 8;
+const FEW_RAYS_SMOOTHING: usize = 8;
+
 /// The share of the sky that each vertex sees on one side (0 front, 1 back), within reach of occluders.
 pub fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], side: usize, reach: f32) -> Vec<f32> {
     let wanted = seen.iter().filter(|sides| sides[side]).count().max(1);
     let rays = (SKY_RAY_BUDGET / wanted).clamp(*SKY_RAYS.start(), *SKY_RAYS.end());
+    let sky = sky_of_rays(stage, occluder, |vertex| seen[vertex][side], side, reach, rays);
+    let is_seen = |face: usize| usize::from(!stage.shows_front[face]) == side;
+    (0..SKY_SMOOTHING * SKY_RAYS.end() / rays).fold(sky, |sky, _| smoothed(stage, &sky, is_seen))
+}
+
+/// The same of both sides, wherever the eye is, with so few rays that a film of it is cheap.
+pub fn sky_all_around(stage: &Stage, reach: f32) -> [Vec<f32>; 2] {
+    let occluder = Occluder::new(stage);
+    [0, 1].map(|side| {
+        let sky = sky_of_rays(stage, &occluder, |_| true, side, reach, FEW_RAYS);
+        (0..FEW_RAYS_SMOOTHING).fold(sky, |sky, _| smoothed(stage, &sky, |_| true))
+    })
+}
+
+/// What so many rays from each wanted vertex see.
+fn sky_of_rays(
+    stage: &Stage,
+    occluder: &Occluder,
+    is_wanted: impl Fn(usize) -> bool + Sync,
+    side: usize,
+    reach: f32,
+    rays: usize,
+) -> Vec<f32> {
     let points = disk_points(rays);
-    let mut sky: Vec<f32> = (0..stage.positions.len())
+    (0..stage.positions.len())
         .into_par_iter()
         .with_min_len(64)
         .map(|vertex| {
             let normal = side_normal(stage.normals[vertex], side);
-            if !seen[vertex][side] || normal == Vec3A::ZERO {
+            if !is_wanted(vertex) || normal == Vec3A::ZERO {
                 return 1.0;
             }
             let [right, up] = tangents(normal);
@@ -44,20 +71,13 @@ pub fn sky_per_vertex(stage: &Stage, occluder: &Occluder, seen: &[[bool; 2]], si
                 .sum();
             1.0 - hidden / rays as f32
         })
-        .collect();
-    for _ in 0..SKY_SMOOTHING * SKY_RAYS.end() / rays {
-        sky = smoothed(stage, &sky, side);
-    }
-    sky
+        .collect()
 }
 
-/// Each vertex takes half of its value from its neighbours, over the faces seen from this side.
-fn smoothed(stage: &Stage, values: &[f32], side: usize) -> Vec<f32> {
+/// Each vertex takes half of its value from its neighbours, over some of the faces.
+fn smoothed(stage: &Stage, values: &[f32], is_seen: impl Fn(usize) -> bool) -> Vec<f32> {
     let mut sums = vec![(0.0_f32, 0.0_f32); values.len()];
-    for (corners, &front) in stage.faces.iter().zip(&stage.shows_front) {
-        if usize::from(!front) != side {
-            continue;
-        }
+    for (_, corners) in stage.faces.iter().enumerate().filter(|(face, _)| is_seen(*face)) {
         for k in 0..3 {
             let around = values[corners[(k + 1) % 3] as usize] + values[corners[(k + 2) % 3] as usize];
             let sum = &mut sums[corners[k] as usize];

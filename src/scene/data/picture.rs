@@ -109,6 +109,8 @@ pub struct OutputSection {
     pub fields: Vec<FieldName>,
     /// Formats in which the film is written for other programs.
     pub export: Vec<ExportFormat>,
+    /// Whether a run ends with a page of the film.
+    pub report: bool,
 }
 
 /// What a film can be exported as.
@@ -187,6 +189,7 @@ impl Default for OutputSection {
             sheet: 0,
             fields: Vec::new(),
             export: Vec::new(),
+            report: true,
         }
     }
 }

@@ -141,5 +141,6 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
             &ExportFormat::ALL,
             &[],
         ),
+        report: table.key("report", "Whether `run` ends with a page of the film, `report.html`.").or(default.report),
     }
 }

@@ -21,7 +21,7 @@ fn run(at: &Path, scene: &OsStr, to: Option<&OsStr>) -> (Option<i32>, String, Ve
     let said = err(&output);
     assert!(said.lines().count() <= 1 || said.contains("For more information, try '--help'"), "{said}");
     assert_eq!(out(&output).matches("pictures made").count(), usize::from(output.status.success()), "{}", out(&output));
-    assert!(out(&output).lines().count() <= 3, "{}", out(&output));
+    assert!(out(&output).lines().count() <= 4, "{}", out(&output));
     let after = files(at);
     let unchanged =
         |files: &BTreeMap<PathBuf, Vec<u8>>| before.iter().all(|(path, bytes)| files.get(path) == Some(bytes));

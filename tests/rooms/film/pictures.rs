@@ -436,7 +436,7 @@ fn flags_take_the_place_of_what_the_scene_says() {
     let out = folder.path().join("out");
     let names: Vec<String> =
         files(&out).into_iter().map(|(name, _)| name).filter(|name| !name.starts_with('m')).collect();
-    assert_eq!(names, ["000001.png", "000004.png", "curves.csv", "curves.svg", "film.gif", "sheet.png"]);
+    assert_eq!(names, ["000001.png", "000004.png", "curves.csv", "curves.svg", "film.gif", "report.html", "sheet.png"]);
     assert_eq!(size(&out.join("000004.png")), (32, 20));
     let film = gif::DecodeOptions::new().read_info(File::open(out.join("film.gif")).expect("a file")).expect("a GIF");
     assert_eq!((film.width(), film.height()), (32, 20));
