@@ -85,6 +85,8 @@ def plays_scrubs_and_turns(browser, film):
     readings = lambda: page.page.eval_on_selector_all(".panel .heading", "list => list.map((e) => e.textContent)")
     cursor = lambda: page.page.eval_on_selector(".plot .cursor", "line => Number(line.getAttribute('x1'))")
     page.page.select_option("#color", "")
+    assert page.place() == count - 1, "it does not open at what the film comes to"
+    page.page.evaluate("viewer.go(0)")
     first, read, stood = page.picture(), readings(), cursor()
     page.page.evaluate("viewer.rate = 2")  # a machine without a graphics card takes its time
     page.page.keyboard.press("Space")
