@@ -42,8 +42,9 @@ function findings() {
     : make("p", { class: "note" }, "The scene states no checks.");
   const missing = facts.origin.frames - facts.measured;
   const all = missing > 0 ? [`${counted(missing, "frame")} of ${facts.origin.frames} are not computed, or damaged: the page ends with frame ${facts.measured}.`, ...faults] : faults;
+  const isBroken = holding < checks.length || missing > 0;
   const words = all.length > 0
-    ? make("div", { class: "fault" }, make("h2", {}, "Not all is well"), make("ul", {}, all.map((fault) => make("li", {}, marked(fault)))))
+    ? make("div", { class: isBroken ? "fault" : "fault mild" }, make("h2", {}, isBroken ? "Not all is well" : "Worth knowing"), make("ul", {}, all.map((fault) => make("li", {}, marked(fault)))))
     : make("p", { class: "well" }, checks.length > 0 ? "All that the scene asks for holds." : "Nothing is wrong that the program would know of.");
   return make("section", { class: "findings", "aria-label": "Findings" }, words, list);
 }
