@@ -64,7 +64,8 @@ fn parse(text: String, name: String, folder: &Path, path: PathBuf, settings: &[S
         texts.set_main(start);
         padded.push(padding(start) + &link.text);
     }
-    let settings: Vec<Setting> = settings
+    let typed = settings;
+    let settings: Vec<Setting> = typed
         .iter()
         .map(|text| {
             let start = texts.add(Path::new(COMMAND_LINE), &format!("{OPTION}{text}"), links.len());
@@ -103,9 +104,15 @@ fn parse(text: String, name: String, folder: &Path, path: PathBuf, settings: &[S
     scene.folder = folder.to_owned();
     scene.source = match links.as_slice() {
         [only] if settings.is_empty() => Source::new(texts, &only.text, &tree),
-        _ => Source::new(texts, &as_text(&tree), &tree),
+        _ => Source::new(texts, &as_text(&tree, &parts(&links, typed)), &tree),
     };
     Ok(scene)
+}
+
+/// What a scene was put together of, in words: files from the last to the first that is extended, then what was set.
+fn parts(links: &[Link], settings: &[String]) -> Vec<String> {
+    let name = |link: &Link| link.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    links.iter().rev().map(name).chain(settings.iter().map(|text| format!("{OPTION}{text}"))).collect()
 }
 
 /// Sets keys in a scene. Gives what is wrong with them.

@@ -23,6 +23,7 @@ mod leftovers;
 mod numpy;
 mod overlap;
 mod process;
+mod set;
 mod shipped_scenes;
 mod step_limit;
 mod verdict;

@@ -3,9 +3,12 @@
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
-/// The text of a table of keys: what stands alone first, then tables with a line for each of their keys.
-pub(in crate::scene) fn as_text(tree: &DeTable) -> String {
-    let mut text = String::new();
+/// The text of a table of keys: what stands alone first, then tables with a line for each of their keys. A comment above says
+/// what it was put together of.
+pub(in crate::scene) fn as_text(tree: &DeTable, parts: &[String]) -> String {
+    let shown = |part: &String| part.replace(char::is_control, " ");
+    let parts: Vec<String> = parts.iter().map(shown).collect();
+    let mut text = format!("# Put together of {}.\n", parts.join(", "));
     let entries = in_order(tree);
     for (key, value) in &entries {
         if !matches!(value, DeValue::Table(_)) && tables(value).is_none() {

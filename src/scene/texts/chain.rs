@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use super::merge::extends;
-use super::read::read_text;
+use super::read::{MOST_BYTES, read_text};
 use super::syntax::syntax_errors;
 use super::text::Texts;
 use crate::scene::error::{SceneError, SceneErrors};
@@ -52,8 +52,15 @@ fn extended(link: &Link, before: &[Link]) -> Result<Option<Link>, SceneErrors> {
         let reason = format!("`extends` goes on through more than {LONGEST} files");
         return Err(at(link, span, reason, "put some of them together".into()));
     }
-    let text = read_text(&path)
-        .map_err(|(reason, remedy)| at(link, span, format!("`extends` names {}: {reason}", path.display()), remedy))?;
+    let text = read_text(&path).map_err(|(reason, remedy)| {
+        at(link, span.clone(), format!("`extends` names {}: {reason}", path.display()), remedy)
+    })?;
+    let size: usize = before.iter().chain([link]).map(|link| link.text.len()).sum();
+    if (size + text.len()) as u64 > MOST_BYTES {
+        let reason = format!("with {} the files of this scene have more than {MOST_BYTES} bytes", path.display());
+        let remedy = "a scene is a short text; long lists belong into the files that it names";
+        return Err(at(link, span, reason, remedy.into()));
+    }
     let folder = link.folder.join(name).parent().unwrap_or(Path::new("")).to_owned();
     Ok(Some(Link { path, text, folder }))
 }

@@ -8,7 +8,7 @@ use crate::text::decode;
 use crate::whole_file::{self, ReadError};
 
 /// Far more than any scene needs, and little enough to be read in a moment; what is longer is not a scene.
-const MOST_BYTES: u64 = 4 << 20;
+pub(super) const MOST_BYTES: u64 = 4 << 20;
 
 /// The text of a file, else reason and remedy.
 pub(in crate::scene) fn read_text(path: &Path) -> Result<String, (String, String)> {

@@ -22,6 +22,9 @@ pub(in crate::scene) struct Setting {
 /// A key in parts, each with its place.
 type Path<'a> = Vec<Spanned<DeString<'a>>>;
 
+/// Tables are not nested as deeply.
+const MOST_PARTS: usize = 64;
+
 const EXAMPLE: &str = "write a key of the scene and its value, as in --set start.random=7";
 
 impl Setting {
@@ -29,7 +32,8 @@ impl Setting {
     pub fn new(text: &str, start: usize) -> Setting {
         let end = start + text.len();
         let mut setting = Setting { text: text.to_owned(), start, documents: None, value: end..end };
-        if let Some((key, value)) = split(text) {
+        let is_deep = |key: &str| key.matches('.').count() > MOST_PARTS;
+        if let Some((key, value)) = split(text).filter(|(key, _)| !is_deep(key)) {
             let place = start + key.len() + 1;
             let blanks = value.len() - value.trim_start().len();
             setting.value = place + blanks..place + blanks + value.trim().len();
