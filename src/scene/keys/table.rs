@@ -47,7 +47,7 @@ impl<'a> Table<'a> {
     }
 
     pub(super) fn entry(&self, name: &str) -> Option<(&'a Spanned<toml::de::DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
-        self.entries?.iter().find(|(key, _)| key.get_ref() == name)
+        self.entries?.get_key_value(name)
     }
 
     pub(super) fn report(&self, span: Range<usize>, reason: String, remedy: impl FnOnce() -> String) {
@@ -224,12 +224,14 @@ impl<'a> Table<'a> {
         let rank = |value: &Spanned<DeValue>| self.problems.rank(value.span().start);
         let is_replaced = |field: &Field| match &field.kind {
             Kind::Variants(variants) => {
+                if !variants.iter().any(|variant| variant.fields.iter().any(|field| field.name == key)) {
+                    return false;
+                }
                 let by = match self.entry(field.name) {
                     Some((_, name)) => Some(rank(name)),
                     None => self.entries.into_iter().flatten().map(|(_, other)| rank(other)).max(),
                 };
-                let is_of_one = variants.iter().any(|variant| variant.fields.iter().any(|field| field.name == key));
-                is_of_one && by > Some(rank(value))
+                by > Some(rank(value))
             }
             _ => false,
         };

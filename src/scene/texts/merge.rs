@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeString, DeTable, DeValue};
 
 use crate::scene::keys::PATHS;
 
@@ -25,24 +25,44 @@ pub(in crate::scene) fn take_extends(tree: &mut DeTable) {
     }
 }
 
-/// Lays a table over another: tables are put together key by key, anything else takes the place of what was there. A key
-/// that was there keeps its place in the order.
+/// The table whose keys count in the order of the texts.
+pub(super) const ORDERED: &str = "parameters";
+
+/// Lays the keys of a scene over those of another: tables are put together key by key, anything else takes the place of what
+/// was there. A parameter that was there keeps its place in the order.
 pub(in crate::scene) fn lay_over<'a>(under: &mut DeTable<'a>, over: DeTable<'a>) {
+    lay(under, over, false);
+}
+
+fn lay<'a>(under: &mut DeTable<'a>, over: DeTable<'a>, is_ordered: bool) {
     for (key, value) in over {
-        let Some(below) = under.get_mut(key.get_ref().as_ref()) else {
-            under.insert(key, value);
-            continue;
-        };
         let span = value.span();
-        let merged = match (std::mem::replace(below.get_mut(), DeValue::Boolean(false)), value.into_inner()) {
-            (DeValue::Table(mut under), DeValue::Table(over)) => {
-                lay_over(&mut under, over);
-                DeValue::Table(under)
+        let merged = match (under.get_mut(key.get_ref().as_ref()), value.into_inner()) {
+            (Some(below), DeValue::Table(over)) if below.get_ref().is_table() => {
+                let mut below = std::mem::replace(below.get_mut(), DeValue::Boolean(false));
+                if let DeValue::Table(under) = &mut below {
+                    lay(under, over, key.get_ref() == ORDERED);
+                }
+                below
             }
             (_, over) => over,
         };
-        *below = Spanned::new(span, merged);
+        put(under, key, Spanned::new(span, merged), is_ordered);
     }
+}
+
+/// Puts a key into a table, in place of what has its name, whose place in the order it may take.
+pub(super) fn put<'a>(
+    table: &mut DeTable<'a>,
+    key: Spanned<DeString<'a>>,
+    value: Spanned<DeValue<'a>>,
+    is_ordered: bool,
+) {
+    if !is_ordered {
+        table.remove(key.get_ref().as_ref());
+    }
+    // What has the name keeps its key.
+    table.insert(key, value);
 }
 
 /// Seen from the folder of the scene, the files that a table names which was written in another folder.
@@ -51,7 +71,7 @@ pub(in crate::scene) fn move_paths(tree: &mut DeTable, folder: &Path) {
         return;
     }
     // Parameters are called as one likes.
-    for (_, value) in tree.iter_mut().filter(|(key, _)| key.get_ref() != "parameters") {
+    for (_, value) in tree.iter_mut().filter(|(key, _)| key.get_ref() != ORDERED) {
         move_in(value.get_mut(), folder);
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue};
 
+use super::merge::{self, ORDERED};
 use super::text::padding;
 use crate::scene::keys::{Field, Kind, Problem};
 use crate::text::clipped;
@@ -173,6 +174,11 @@ fn put<'a>(
     let names = |count: usize| path[..count].iter().map(|part| part.get_ref().as_ref()).collect::<Vec<_>>().join(".");
     let slot = match here {
         DeValue::Table(table) => {
+            if done + 1 == path.len() {
+                let is_ordered = done > 0 && path.first().is_some_and(|first| first.get_ref() == ORDERED);
+                merge::put(table, part.clone(), value, is_ordered);
+                return Ok(());
+            }
             if !table.contains_key(name.as_ref()) {
                 if path.get(done + 1).is_some_and(|next| next.get_ref().parse::<usize>().is_ok()) {
                     let reason = format!("there is no list `{}` of which an entry could be set", names(done + 1));
