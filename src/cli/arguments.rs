@@ -75,6 +75,8 @@ pub(super) enum Command {
         /// Begin all films anew
         #[arg(long)]
         restart: bool,
+        #[command(flatten)]
+        settings: Settings,
     },
     /// Validate a scene and all it names, and touch nothing
     Check {
@@ -181,4 +183,13 @@ pub(super) struct SceneFile {
     /// A mesh file in place of the scene's [mesh]
     #[arg(long, value_name = "FILE")]
     pub mesh: Option<PathBuf>,
+    #[command(flatten)]
+    pub settings: Settings,
+}
+
+#[derive(Args, Debug)]
+pub(super) struct Settings {
+    /// Sets a key of the scene, as in --set spin.class=01; may be given several times
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
 }

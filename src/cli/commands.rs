@@ -132,8 +132,8 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             clear_leftovers(&folder, Some(&scene.output), false, &session.log)?;
             Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
         }
-        Command::Gallery { scenes, out: folder, work, restart } => {
-            gallery(scenes, folder, work, *restart, session, out)
+        Command::Gallery { scenes, out: folder, work, restart, settings } => {
+            gallery(scenes, folder, work, *restart, &settings.set, session, out)
         }
         Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
         Command::Check { scene: file, phases: false } => {
@@ -161,7 +161,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
 
 /// The scene, with the mesh of the command line if there is one.
 fn read(file: &SceneFile) -> Result<Scene, Failure> {
-    let mut scene = Scene::read(&file.path).map_err(PipelineError::from)?;
+    let mut scene = Scene::read_with(&file.path, &file.settings.set).map_err(PipelineError::from)?;
     if let Some(mesh) = &file.mesh {
         // Paths of a scene start in its folder, those of a command line where it is typed.
         scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));

@@ -21,6 +21,7 @@ pub(super) fn gallery(
     out: &Path,
     work: &Path,
     restart: bool,
+    settings: &[String],
     session: &Session,
     answers: &mut impl Write,
 ) -> Result<(), Failure> {
@@ -29,7 +30,7 @@ pub(super) fn gallery(
     let mut missing = 0;
     for path in &all {
         session.go_on()?;
-        match show(path, out, work, restart, session) {
+        match show(path, out, work, restart, settings, session) {
             Ok(poster) => writeln!(answers, "{}", one_line(&poster.display().to_string()))?,
             // Some scenes want a mesh that is not shipped.
             Err(Failure::Pipeline(error)) if scenes.is_empty() && error.is_fault_of_input() => {
@@ -43,8 +44,15 @@ pub(super) fn gallery(
 }
 
 /// Makes the picture of a scene. Returns its path.
-fn show(path: &Path, out: &Path, work: &Path, restart: bool, session: &Session) -> Result<PathBuf, Failure> {
-    let mut scene = Scene::read(path).map_err(PipelineError::from)?;
+fn show(
+    path: &Path,
+    out: &Path,
+    work: &Path,
+    restart: bool,
+    settings: &[String],
+    session: &Session,
+) -> Result<PathBuf, Failure> {
+    let mut scene = Scene::read_with(path, settings).map_err(PipelineError::from)?;
     count_classes(&mut scene)?;
     let film = folder_of(&scene, path, work)?;
     let mut poster = out.join(&scene.name).into_os_string();

@@ -22,6 +22,7 @@ mod schema;
 mod sections;
 mod sequence;
 mod source;
+mod texts;
 
 pub use build::{clock_of, phases_as_text};
 pub use data::{

@@ -1,16 +1,16 @@
-//! Where in the file each key stands, so that later stages can point at it.
+//! Where in its texts each key of a scene stands, so that later stages can point at it.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::PathBuf;
 use std::sync::Arc;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::error::SceneError;
+use super::texts::Texts;
 
-/// A place in the scene file.
+/// A place in the scene file, in a file that it extends, or in what was set beside it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Location {
     /// Line, counted from 1.
@@ -24,69 +24,44 @@ pub struct Location {
 /// The text of a scene and the places of its keys. Empty for a scene that was made in code.
 #[derive(Clone, Debug, Default)]
 pub struct Source {
-    path: PathBuf,
     text: Arc<str>,
+    texts: Texts,
     /// By dotted key, as in `phase[0].dt`: the bytes of the value, or of the header of a table.
     spans: Arc<BTreeMap<String, Range<usize>>>,
 }
 
 impl Source {
-    pub(super) fn new(path: PathBuf, text: &str, tree: &DeTable) -> Source {
+    pub(super) fn new(texts: Texts, text: &str, tree: &DeTable) -> Source {
         let mut spans = BTreeMap::new();
         collect_spans(tree, "", &mut spans);
-        Source { path, text: text.into(), spans: Arc::new(spans) }
+        Source { text: text.into(), texts, spans: Arc::new(spans) }
     }
 
-    /// The text of the file.
+    /// The whole scene as one text: that of its file, or, if it extends another one or keys of it were set, one that says the same.
     pub fn text(&self) -> &str {
         &self.text
     }
 
     /// Where the value of a dotted key stands, as in `mesh.radius` or `phase[0].dt`; for a table its
-    /// header. `None` if the file does not say it.
+    /// header. `None` if the scene does not say it.
     pub fn locate(&self, key: &str) -> Option<Location> {
-        let span = self.spans.get(key)?.clone();
-        let (line, column) = line_and_column(&self.text, span.start);
-        Some(Location { line, column, text: self.text.get(span).unwrap_or_default().to_owned() })
+        let (line, column, text) = self.texts.locate(self.spans.get(key)?)?;
+        Some(Location { line, column, text: text.to_owned() })
     }
 
-    /// An error at a dotted key or, where the file leaves it out, at the table it would stand in.
+    /// An error at a dotted key or, where the scene leaves it out, at the table it would stand in.
     pub fn complain(&self, key: &str, reason: String, remedy: String) -> SceneError {
         let mut key = key;
         loop {
             if let Some(span) = self.spans.get(key) {
-                return self.error(span.clone(), reason, remedy);
+                return self.texts.error(span.clone(), reason, remedy);
             }
             match key.rfind(['.', '[']) {
                 Some(end) => key = &key[..end],
-                None => return self.error(0..0, reason, remedy),
+                None => return self.texts.error(self.texts.nowhere(), reason, remedy),
             }
         }
     }
-
-    pub(super) fn error(&self, span: Range<usize>, reason: String, remedy: String) -> SceneError {
-        let (line, column) = line_and_column(&self.text, span.start);
-        SceneError {
-            path: self.path.as_path().into(),
-            line,
-            column,
-            reason,
-            remedy,
-            text: self.text.clone(),
-            span: (span.start, span.end.saturating_sub(span.start)),
-            more: 0,
-        }
-    }
-}
-
-fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
-    let mut start = offset.min(text.len());
-    while !text.is_char_boundary(start) {
-        start -= 1;
-    }
-    let before = &text[..start];
-    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
 }
 
 fn collect_spans(table: &DeTable, prefix: &str, spans: &mut BTreeMap<String, Range<usize>>) {

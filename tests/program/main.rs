@@ -24,6 +24,7 @@ mod numpy;
 mod overlap;
 mod process;
 mod report;
+mod set;
 mod shipped_scenes;
 mod step_limit;
 mod verdict;

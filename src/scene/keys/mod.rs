@@ -15,4 +15,4 @@ pub(super) use number::{ease, extrapolation, one_per_time, times};
 pub(super) use problems::{LISTED, Problem, Problems};
 pub(super) use spelling::suggestion;
 pub(super) use table::{Table, declared};
-pub(super) use value::{Bounds, Color, Field, Kind, Variant};
+pub(super) use value::{Bounds, Color, Field, Kind, PATHS, Variant};

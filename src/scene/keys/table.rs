@@ -47,7 +47,7 @@ impl<'a> Table<'a> {
     }
 
     pub(super) fn entry(&self, name: &str) -> Option<(&'a Spanned<toml::de::DeString<'a>>, &'a Spanned<DeValue<'a>>)> {
-        self.entries?.iter().find(|(key, _)| key.get_ref() == name)
+        self.entries?.get_key_value(name)
     }
 
     pub(super) fn report(&self, span: Range<usize>, reason: String, remedy: impl FnOnce() -> String) {
@@ -69,9 +69,15 @@ impl<'a> Table<'a> {
         self.entries.is_some() && !names.iter().any(|name| self.has(name))
     }
 
-    /// Reports keys that exclude each other.
+    /// Reports keys that exclude each other. Where a file that is extended has one and the file that extends it another, the
+    /// former goes.
     pub(in crate::scene) fn only_one_of(&self, names: &[&str]) {
-        let mut given: Vec<_> = names.iter().filter_map(|name| self.entry(name)).map(|(key, _)| key).collect();
+        let given: Vec<_> = names.iter().filter_map(|name| self.entry(name)).collect();
+        let rank = |value: &Spanned<DeValue>| self.problems.rank(value.span().start);
+        let highest = given.iter().map(|(_, value)| rank(value)).max();
+        let (given, lower): (Vec<_>, Vec<_>) = given.into_iter().partition(|(_, value)| Some(rank(value)) == highest);
+        lower.iter().for_each(|(_, value)| self.problems.replace(value.span()));
+        let mut given: Vec<_> = given.into_iter().map(|(key, _)| key).collect();
         given.sort_by_key(|key| key.span().start);
         if let [first, second, ..] = given.as_slice() {
             let [one, other] = [first, second].map(|key| key.get_ref());
@@ -212,6 +218,26 @@ impl<'a> Table<'a> {
         self.fields.push(Field { name, doc, kind, default: None, required: false });
     }
 
+    /// Whether a key belongs to another variant than the one that a text of higher rank asks for, or to one that it does
+    /// without.
+    fn is_of_replaced_variant(&self, key: &str, value: &Spanned<DeValue>) -> bool {
+        let rank = |value: &Spanned<DeValue>| self.problems.rank(value.span().start);
+        let is_replaced = |field: &Field| match &field.kind {
+            Kind::Variants(variants) => {
+                if !variants.iter().any(|variant| variant.fields.iter().any(|field| field.name == key)) {
+                    return false;
+                }
+                let by = match self.entry(field.name) {
+                    Some((_, name)) => Some(rank(name)),
+                    None => self.entries.into_iter().flatten().map(|(_, other)| rank(other)).max(),
+                };
+                by > Some(rank(value))
+            }
+            _ => false,
+        };
+        !self.fields.iter().any(|field| field.name == key) && self.fields.iter().any(is_replaced)
+    }
+
     /// Reports the keys nobody asked for.
     pub(in crate::scene) fn finish(&self) {
         if self.any_keys {
@@ -220,8 +246,10 @@ impl<'a> Table<'a> {
         let names: Vec<&str> = self.fields.iter().map(|field| field.name).collect();
         let mut keys: Vec<_> = self.entries.into_iter().flatten().collect();
         keys.sort_by_key(|(key, _)| key.span().start);
-        for (key, _) in keys {
-            if !names.contains(&key.get_ref().as_ref()) {
+        for (key, value) in keys {
+            if self.is_of_replaced_variant(key.get_ref(), value) {
+                self.problems.replace(value.span());
+            } else if !names.contains(&key.get_ref().as_ref()) {
                 let reason = format!("there is no `{}` in {}", clipped(key.get_ref()), self.title);
                 self.report(key.span(), reason, || suggestion("keys", key.get_ref(), &names));
             }

@@ -229,7 +229,7 @@ impl Value for bool {
 }
 
 /// Keys that name files.
-const PATHS: [&str; 4] = ["file", "files", "csv", "matcap"];
+pub(in crate::scene) const PATHS: [&str; 4] = ["file", "files", "csv", "matcap"];
 
 /// A text as it stood in double quotes before backslashes were taken for escapes.
 fn with_backslashes(text: &str) -> String {
@@ -258,7 +258,7 @@ impl Value for String {
 
     fn read(name: &str, value: &Spanned<DeValue>, bounds: Bounds, example: &str) -> Result<String, Problem> {
         let text = value.get_ref().as_str().ok_or_else(|| mismatch::<String>(name, value, bounds, example))?;
-        if PATHS.contains(&name) && text.contains(char::is_control) {
+        if (PATHS.contains(&name) || name == "extends") && text.contains(char::is_control) {
             let escaped = with_backslashes(text);
             return Err(Problem {
                 span: value.span(),

@@ -45,6 +45,11 @@ pub(in crate::scene) fn root(table: &mut Table) -> Scene {
         checks: table.table("checks", "What must hold, else the run fails.", checks),
         ..Scene::default()
     };
+    // Has been followed where it names a file.
+    let doc = "Another scene file, relative to this one: its keys count where this one does not say otherwise.";
+    if table.key::<String>("extends", doc).optional("common.toml".into()).is_some_and(|file| file.is_empty()) {
+        table.complain("extends", "`extends` is empty", "name a scene file, or remove it");
+    }
     scene.relaxation = RelaxationSection { bending_stiffness };
     scene.clock.a_frame_for_each_class &= scene.spin == SpinSection::All;
     scene

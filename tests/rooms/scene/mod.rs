@@ -1,4 +1,6 @@
+mod extends;
 mod mistakes;
 mod schema;
 mod sequences;
+mod settings;
 mod valid;
