@@ -78,6 +78,24 @@ pub(super) enum Command {
         #[command(flatten)]
         settings: Settings,
     },
+    /// Run a scene once for every combination of values, several at a time, and put what they are worth in one table
+    Sweep {
+        /// The scene file
+        #[arg(value_name = "SCENE")]
+        scene: PathBuf,
+        /// A mesh file in place of the scene's [mesh]
+        #[arg(long, value_name = "FILE")]
+        mesh: Option<PathBuf>,
+        /// A key of the scene and its values, as in --set start.random=0,1,2; of several keys all combinations are run
+        #[arg(long, value_name = "KEY=VALUES", required = true)]
+        set: Vec<String>,
+        /// Folder for the films, one in it for each run [default: renders/<scene name>.sweep]
+        #[arg(long, value_name = "DIR")]
+        out: Option<PathBuf>,
+        /// Begin all films anew
+        #[arg(long)]
+        restart: bool,
+    },
     /// Validate a scene and all it names, and touch nothing
     Check {
         #[command(flatten)]
@@ -147,6 +165,7 @@ impl Command {
                 | Command::Simulate { .. }
                 | Command::Render { .. }
                 | Command::Gallery { .. }
+                | Command::Sweep { .. }
                 | Command::Export { .. }
                 | Command::Report { .. }
         )
@@ -159,6 +178,7 @@ impl Command {
             | Command::Simulate { restart, .. }
             | Command::Render { restart, .. }
             | Command::Gallery { restart, .. }
+            | Command::Sweep { restart, .. }
             | Command::Export { restart, .. }
             | Command::Report { restart, .. } => *restart,
             _ => false,

@@ -21,6 +21,7 @@ use super::progress::{Kept, Log, LogFormat};
 use super::report::{report, write_report};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::{count_classes, folder_of};
+use super::sweep::{self, sweep};
 use crate::film::{self, FilmFolder, Plan};
 use crate::scene::{MeshSection, Scene};
 use crate::whole_file;
@@ -134,6 +135,10 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
         }
         Command::Gallery { scenes, out: folder, work, restart, settings } => {
             gallery(scenes, folder, work, *restart, &settings.set, session, out)
+        }
+        Command::Sweep { scene, mesh, set, out: folder, restart } => {
+            let (mesh, folder) = (mesh.as_deref(), folder.as_deref());
+            sweep(&sweep::Request { scene, mesh, set, out: folder, restart: *restart }, session, out)
         }
         Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
         Command::Check { scene: file, phases: false } => {

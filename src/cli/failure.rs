@@ -69,6 +69,8 @@ pub(super) enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("{}: this name gives no folder of its own; name one with --out, or call the file otherwise", path.display())]
     Name { path: PathBuf },
+    #[error("--set: {0} runs are more than a sweep has; name fewer values")]
+    Sweep(usize),
     /// By a signal.
     #[error("interrupted by signal {signal}; run it again")]
     Interrupted { signal: u8 },
@@ -101,6 +103,7 @@ impl Failure {
             | Failure::New { .. }
             | Failure::Folder { .. }
             | Failure::Name { .. }
+            | Failure::Sweep(_)
             | Failure::Threads(_) => INPUT,
             Failure::Interrupted { signal } => SIGNAL + signal,
         }

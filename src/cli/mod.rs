@@ -22,6 +22,7 @@ mod report;
 mod results;
 mod selections;
 mod set_up;
+mod sweep;
 
 pub use commands::main;
 pub use failure::PipelineError;

@@ -20,7 +20,7 @@ pub use error::FilmError;
 pub use export::{EXPORTER, Exported, export};
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{
-    Arrivals, Event, Pictured, Plan, RENDERER, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
-    make_poster, take_picture,
+    Arrivals, Event, Pictured, Plan, RENDERER, Tile, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
+    make_poster, make_sheet_of_films, take_picture,
 };
 pub use report::{Finding, Findings, REPORT, REPORTER, Reported, report};

@@ -27,6 +27,7 @@ mod report;
 mod set;
 mod shipped_scenes;
 mod step_limit;
+mod sweep;
 mod verdict;
 mod wrong_files;
 

@@ -13,5 +13,5 @@ pub(super) use curves::write_curves;
 pub use curves::{curves_csv, curves_svg};
 pub(super) use findings::findings;
 pub(super) use inspect::Inspection;
-pub(super) use text_table::percent;
+pub(super) use text_table::{percent, write_table};
 pub use verdict::verdict;

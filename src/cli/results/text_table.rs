@@ -5,7 +5,7 @@ use std::io::{self, Write};
 
 /// Writes rows, the first of which is the heading, with columns as wide as they need to be. Columns are
 /// flush right, but for those of the heading's names in `left`.
-pub(super) fn write_table(out: &mut impl Write, rows: &[Vec<String>], left: &[&str]) -> io::Result<()> {
+pub(in crate::cli) fn write_table(out: &mut impl Write, rows: &[Vec<String>], left: &[&str]) -> io::Result<()> {
     let Some(heading) = rows.first() else { return Ok(()) };
     let width = |column: usize| {
         rows.iter().filter_map(|row| row.get(column)).map(|cell| cell.chars().count()).max().unwrap_or(0)

@@ -6,6 +6,7 @@
 //! the same bytes for any number of threads, and whether or not frames are still being computed meanwhile ([`Arrivals`]).
 
 mod coordinates;
+mod films;
 mod keys;
 mod labels;
 mod passes;
@@ -20,6 +21,7 @@ mod stills;
 mod subject;
 mod views;
 
+pub use films::{Tile, make_sheet_of_films};
 pub use keys::RENDERER;
 pub use passes::{Arrivals, Event, Watch};
 pub(super) use passes::{at_a_time, in_order};

@@ -88,7 +88,7 @@ fn make_unless_fresh(
 }
 
 /// How files are written that stand in a gallery.
-const SMALL: Png = Png { sixteen_bits: false, small: true };
+pub(super) const SMALL: Png = Png { sixteen_bits: false, small: true };
 
 /// The key of a contact sheet.
 pub(super) fn key_of_sheet(
