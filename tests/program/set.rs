@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 const BASE: &str = "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n\
                     [[metric.key]]\ntime = 0\n[[metric.key]]\ntime = 1\npositions = ['1.2*x', 'y', 'z']\n\
-                    [output]\nsize = [48, 36]\nsamples = 1\n";
+                    [output]\nsize = [48, 36]\nsamples = 1\nreport = false\n";
 const REST: &str = "[clock]\nframes = 4\n[camera]\nframed = 'first'\n";
 
 fn folder(files: &[(&str, &str)]) -> TempDir {
