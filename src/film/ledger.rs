@@ -57,20 +57,30 @@ const SEAL: &[u8] = b"{\"crc32\":\"";
 const SEALED: &[u8] = b"\",";
 
 impl Line<'_> {
-    /// With its checksum and its end.
-    fn written(&self) -> io::Result<Vec<u8>> {
+    /// With its checksum and its end, for a ledger of this name.
+    fn written(&self, name: &str) -> io::Result<Vec<u8>> {
         let json = serde_json::to_vec(self)?;
         let body = [json.strip_prefix(b"{").unwrap_or(&json), b"\n"].concat();
-        let crc = format!("{:08x}", crc32fast::hash(&body));
+        let crc = crc_of(name, &body);
         Ok([SEAL, crc.as_bytes(), SEALED, &body].concat())
     }
 
-    /// The reverse; none of what is damaged.
-    fn read(line: &[u8]) -> Option<Line<'_>> {
+    /// The reverse; none of what is damaged, or of another ledger.
+    fn read<'a>(line: &'a [u8], name: &str) -> Option<Line<'a>> {
         let (crc, rest) = line.strip_prefix(SEAL)?.split_at_checked(8)?;
         let body = rest.strip_prefix(SEALED)?;
-        (crc == format!("{:08x}", crc32fast::hash(body)).as_bytes()).then(|| serde_json::from_slice(line).ok())?
+        (crc == crc_of(name, body).as_bytes()).then(|| serde_json::from_slice(line).ok())?
     }
+}
+
+/// The checksum of a line in a ledger of this name; those of pictures came first, and have none in theirs.
+fn crc_of(name: &str, body: &[u8]) -> String {
+    let mut crc = crc32fast::Hasher::new();
+    if name != LEDGER {
+        crc.update(name.as_bytes());
+    }
+    crc.update(body);
+    format!("{:08x}", crc.finalize())
 }
 
 /// Where it is in the folder of a film.
@@ -114,7 +124,7 @@ impl Ledger {
             Err(error) => return Err(FilmError::read(&path, error)),
         };
         let whole_lines = bytes.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
-        let lines = whole_lines.filter_map(Line::read);
+        let lines = whole_lines.filter_map(|line| Line::read(line, name));
         let entries =
             lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect();
         Ok(Ledger { folder: folder.to_owned(), name, pages: Mutex::new(Pages { entries, log: None }) })
@@ -152,7 +162,7 @@ impl Ledger {
         let sha256 = key_of_file(&made).map_err(|error| FilmError::read(&made, error))?;
         let path = self.folder.join(self.name);
         let mut pages = self.pages();
-        let written = pages.append(&path, &Line { file: file.into(), key, shows, sha256 });
+        let written = pages.append(&path, self.name, &Line { file: file.into(), key, shows, sha256 });
         written.map_err(|error| FilmError::write(&path, error))?;
         pages.entries.insert(file.to_owned(), Entry { key, shows, sha256 });
         Ok(())
@@ -171,7 +181,7 @@ impl Ledger {
         let mut bytes = Vec::new();
         for (file, &Entry { key, shows, sha256 }) in &entries {
             let line = Line { file: file.into(), key, shows, sha256 };
-            bytes.extend(line.written().map_err(|error| FilmError::write(&path, error))?);
+            bytes.extend(line.written(name).map_err(|error| FilmError::write(&path, error))?);
         }
         let written = match bytes.is_empty() {
             true => whole_file::remove(&path),
@@ -190,7 +200,7 @@ fn key_of_file(path: &Path) -> io::Result<Key> {
 }
 
 impl Pages {
-    fn append(&mut self, path: &Path, line: &Line) -> io::Result<()> {
+    fn append(&mut self, path: &Path, name: &str, line: &Line) -> io::Result<()> {
         let log = match &mut self.log {
             Some(log) => log,
             None => {
@@ -203,6 +213,6 @@ impl Pages {
                 self.log.insert(log)
             }
         };
-        log.write_all(&line.written()?)
+        log.write_all(&line.written(name)?)
     }
 }

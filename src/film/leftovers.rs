@@ -38,7 +38,7 @@ pub fn clear_leftovers(
     let film = FilmFolder::open(folder)?;
     let frames = film.manifest().frame_count;
     let (ledger, of_page) = (Ledger::open(folder)?, Ledger::of_page(folder)?);
-    let of_all = film.all_contents();
+    let of_all = film.all_contents()?;
     let mut leftovers = Leftovers::default();
     leftovers.removed.extend(film.remove_frames_beyond()?.into_iter().map(|name| format!("frames/{name}")));
     let has_curves = frames == 1 && is_table_of_curves(&folder.join("curves.csv"));

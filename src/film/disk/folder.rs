@@ -264,9 +264,20 @@ impl FilmFolder {
     }
 
     /// Stands for the states of all frames as they are now, those included that are not there.
-    pub fn all_contents(&self) -> Key {
-        let states = (1..=self.manifest.frame_count).map(|frame| self.contents(frame).ok().map(|(state, _)| state));
-        states.fold(Digest::of("film"), |digest, state| digest.shown(&state)).finish()
+    ///
+    /// # Errors
+    /// [`DiskError::Io`] if a frame is there but the system refuses to read it.
+    pub fn all_contents(&self) -> Result<Key, DiskError> {
+        let mut digest = Digest::of("film");
+        for frame in 1..=self.manifest.frame_count {
+            let state = match self.contents(frame) {
+                Ok((state, _)) => Some(state),
+                Err(error @ DiskError::Io { .. }) => return Err(error),
+                Err(_) => None,
+            };
+            digest = digest.shown(&state);
+        }
+        Ok(digest.finish())
     }
 
     /// Per frame: whether it is there, verifies, and is of the film as it is now. The others are to be computed.

@@ -64,7 +64,7 @@ pub fn make_pictures_of_arrivals(
         if ledger.fresh(SHEET, key).is_none() {
             let film = contact_sheet(&plan, &mut survey, &chosen, sheet, watch)?;
             film.write_png(&folder.join(SHEET), plan.png.unwrap_or_default(), &metadata(&plan))?;
-            ledger.enter(SHEET, key, survey.reel.film().all_contents())?;
+            ledger.enter(SHEET, key, survey.reel.film().all_contents()?)?;
         }
     }
     ledger.close()?;
@@ -129,7 +129,7 @@ fn film(
     )?;
     animations.into_iter().try_for_each(|animation| animation.finish())?;
     if moving {
-        let (keys, shows) = (keys_of(plan, survey, frames, &plan.output)?, survey.reel.film().all_contents());
+        let (keys, shows) = (keys_of(plan, survey, frames, &plan.output)?, survey.reel.film().all_contents()?);
         let enter = |&format: &AnimationFormat| {
             ledger.enter(file_name(format), key_of_animation(format, reeling, &keys), shows)
         };

@@ -3,6 +3,7 @@
 use serde_json::{Value as Json, json};
 
 use super::measure::{BINS, BINS_A_DECADE, LEAST_BIN, Small, Subject};
+use crate::digest::Key;
 use crate::evolve::FrameReport;
 use crate::film::disk::{FilmFolder, Manifest};
 use crate::spin::Homology;
@@ -94,7 +95,7 @@ pub(super) fn unconverged(frames: &[Small]) -> Json {
 }
 
 /// What the film is of, and what made it.
-pub(super) fn origin(film: &FilmFolder, reporter: u32) -> Json {
+pub(super) fn origin(film: &FilmFolder, shows: Key, reporter: u32) -> Json {
     let Manifest { format, scene, program, mesh, mesh_sha256, frame_count, .. } = film.manifest();
     json!({
         "scene": scene,
@@ -103,7 +104,7 @@ pub(super) fn origin(film: &FilmFolder, reporter: u32) -> Json {
         "format": format,
         "mesh": mesh,
         "meshKey": mesh_sha256,
-        "filmKey": film.all_contents(),
+        "filmKey": shows,
         "frames": frame_count,
     })
 }

@@ -15,7 +15,7 @@ use super::records::Records;
 use super::{facts, look};
 use crate::digest::{Digest, Key};
 use crate::evolve::Frame;
-use crate::film::disk::FilmFolder;
+use crate::film::disk::{DiskError, FilmFolder};
 use crate::film::error::FilmError;
 use crate::film::kept_scene::scene_to_show;
 use crate::film::ledger::Ledger;
@@ -53,26 +53,27 @@ pub fn report(
 ) -> Result<Reported, FilmError> {
     let film = FilmFolder::open(folder)?;
     let ledger = Ledger::of_page(folder)?;
-    let key = key_of(&film, findings)?;
+    let shows = film.all_contents()?;
+    let key = key_of(&film, shows, findings)?;
     if !restart && ledger.is_fresh(REPORT, key) {
         return Ok(Reported::Kept);
     }
-    let text = made(&film, findings, arrivals, watch)?;
+    let text = made(&film, shows, findings, arrivals, watch)?;
     let path = folder.join(REPORT);
     whole_file::write(&path, text.as_bytes()).map_err(|error| FilmError::write(&path, error))?;
-    ledger.enter(REPORT, key, film.all_contents())?;
+    ledger.enter(REPORT, key, shows)?;
     ledger.close()?;
     Ok(Reported::Made)
 }
 
 /// Of all that a page is made of.
-fn key_of(film: &FilmFolder, findings: &Findings) -> Result<Key, FilmError> {
+fn key_of(film: &FilmFolder, shows: Key, findings: &Findings) -> Result<Key, FilmError> {
     let digest = Digest::of("report")
         .count(REPORTER as usize)
         .count(RENDERER as usize)
         .text(env!("CARGO_PKG_VERSION"))
         .shown(film.manifest())
-        .key(film.all_contents())
+        .key(shows)
         .text(&film.scene_text()?.unwrap_or_default())
         .shown(findings);
     Ok(parts().fold(digest, Digest::text).finish())
@@ -108,9 +109,23 @@ fn between(before: &[Vec<u8>; 2], after: &[Vec<u8>; 2]) -> [Vec<u8>; 2] {
     [0, 1].map(|side| before[side].iter().zip(&after[side]).map(|(a, b)| a.midpoint(*b)).collect())
 }
 
-fn made(film: &FilmFolder, findings: &Findings, arrivals: &Arrivals, watch: &mut Watch) -> Result<String, FilmError> {
+fn made(
+    film: &FilmFolder,
+    shows: Key,
+    findings: &Findings,
+    arrivals: &Arrivals,
+    watch: &mut Watch,
+) -> Result<String, FilmError> {
     let count = film.manifest().frame_count;
-    let frames: Vec<usize> = (1..=count).take_while(|&frame| film.contents(frame).is_ok()).collect();
+    let mut frames = Vec::new();
+    for frame in 1..=count {
+        match film.contents(frame) {
+            Ok(_) => frames.push(frame),
+            // That the system refuses to read a frame says nothing of it.
+            Err(error @ DiskError::Io { .. }) => return Err(error.into()),
+            Err(_) => break,
+        }
+    }
     if frames.is_empty() {
         return Err(FilmError::NoSuchFrame { folder: film.folder().to_owned(), frame: 1 });
     }
@@ -127,7 +142,7 @@ fn made(film: &FilmFolder, findings: &Findings, arrivals: &Arrivals, watch: &mut
     let packed = packed.map_err(|error| FilmError::write(film.folder(), error))?;
     let text = film.scene_text()?.unwrap_or_default();
     let facts = json!({
-        "origin": origin(film, REPORTER),
+        "origin": origin(film, shows, REPORTER),
         "findings": findings,
         "frames": packed.frames.iter().map(|&place| frames[place]).collect::<Vec<_>>(),
         "measured": frames.len(),
