@@ -20,10 +20,10 @@ use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};
 use super::report::{report, write_report};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
-use super::set_up::{count_classes, folder_of};
+use super::set_up::{folder_of, read_scene};
 use super::sweep::{self, sweep};
 use crate::film::{self, FilmFolder, Plan};
-use crate::scene::{MeshSection, Scene};
+use crate::scene::Scene;
 use crate::whole_file;
 
 /// The scene that `new` writes.
@@ -164,15 +164,9 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
     }
 }
 
-/// The scene, with the mesh of the command line if there is one.
+/// The scene that is named.
 fn read(file: &SceneFile) -> Result<Scene, Failure> {
-    let mut scene = Scene::read_with(&file.path, &file.settings.set).map_err(PipelineError::from)?;
-    if let Some(mesh) = &file.mesh {
-        // Paths of a scene start in its folder, those of a command line where it is typed.
-        scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.clone()));
-    }
-    count_classes(&mut scene)?;
-    Ok(scene)
+    Ok(read_scene(&file.path, file.mesh.as_deref(), &file.settings.set)?)
 }
 
 /// The scene and the folder of its film.

@@ -8,8 +8,7 @@ use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::pipeline;
 use super::process::Session;
-use super::set_up::{count_classes, folder_of};
-use crate::scene::Scene;
+use super::set_up::{folder_of, read_scene};
 
 /// The scene of which there is a picture in all looks, `looks.png`.
 const SHOWN_IN_ALL_LOOKS: &str = "flat_torus";
@@ -52,8 +51,7 @@ fn show(
     settings: &[String],
     session: &Session,
 ) -> Result<PathBuf, Failure> {
-    let mut scene = Scene::read_with(path, settings).map_err(PipelineError::from)?;
-    count_classes(&mut scene)?;
+    let scene = read_scene(path, None, settings)?;
     let film = folder_of(&scene, path, work)?;
     let mut poster = out.join(&scene.name).into_os_string();
     poster.push(".png");

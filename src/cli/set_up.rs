@@ -56,8 +56,20 @@ pub(super) fn folder_of(scene: &Scene, path: &Path, films: &Path) -> Result<Path
     }
 }
 
+/// The scene in a file, with keys that were set beside it, with the mesh of the command line if there is one, and with as many
+/// frames as it has.
+pub(super) fn read_scene(path: &Path, mesh: Option<&Path>, settings: &[String]) -> Result<Scene, PipelineError> {
+    let mut scene = Scene::read_with(path, settings)?;
+    if let Some(mesh) = mesh {
+        // Paths of a scene start in its folder, those of a command line where it is typed.
+        scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.to_owned()));
+    }
+    count_classes(&mut scene)?;
+    Ok(scene)
+}
+
 /// Counts the classes of a scene that has a frame for each of them, so that everybody knows how many frames there are.
-pub(super) fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
+fn count_classes(scene: &mut Scene) -> Result<(), PipelineError> {
     if scene.clock.a_frame_for_each_class {
         scene.clock = clock_of(scene, &scene.surface()?.mesh)?;
     }

@@ -83,6 +83,11 @@ impl FilmError {
         FilmError::Disk(DiskError::Io { path: path.to_owned(), action: "read", source })
     }
 
+    /// A field that cannot be computed.
+    pub(super) fn field(reason: impl std::fmt::Display) -> FilmError {
+        FilmError::Field { reason: reason.to_string() }
+    }
+
     /// A file that could not be written.
     pub(super) fn write(path: &std::path::Path, reason: impl std::fmt::Display) -> FilmError {
         FilmError::Render(RenderError::Write { path: path.to_owned(), reason: reason.to_string() })

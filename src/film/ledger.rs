@@ -52,7 +52,7 @@ struct Line<'a> {
     sha256: Key,
 }
 
-/// How a line begins, before the CRC-32 of all the bytes after `SEALED`.
+/// How a line begins, before the CRC-32 of the name of the ledger and all the bytes after `SEALED`.
 const SEAL: &[u8] = b"{\"crc32\":\"";
 const SEALED: &[u8] = b"\",";
 
@@ -73,12 +73,10 @@ impl Line<'_> {
     }
 }
 
-/// The checksum of a line in a ledger of this name; those of pictures came first, and have none in theirs.
+/// The checksum of a line, which is of no ledger but the one of this name.
 fn crc_of(name: &str, body: &[u8]) -> String {
     let mut crc = crc32fast::Hasher::new();
-    if name != LEDGER {
-        crc.update(name.as_bytes());
-    }
+    crc.update(name.as_bytes());
     crc.update(body);
     format!("{:08x}", crc.finalize())
 }

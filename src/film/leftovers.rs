@@ -49,9 +49,7 @@ pub fn clear_leftovers(
         let is_stale = match made {
             Made::Curves => has_curves,
             // A frame that is not done shows nothing.
-            Made::Frame(number, _) => {
-                shows.is_none_or(|shows| film.contents(number).ok().is_none_or(|now| now.0 != shows))
-            }
+            Made::Frame(number, _) => shows.is_none() || film.state(number)? != shows,
             Made::Report if page_follows => false,
             Made::Film(_) | Made::Sheet | Made::Report => shows != Some(of_all),
         };

@@ -12,6 +12,7 @@ mod export;
 mod kept_scene;
 mod ledger;
 mod leftovers;
+mod metric_of_frame;
 mod pictures;
 mod report;
 

@@ -35,3 +35,4 @@ pub use data::{
 };
 pub use error::{SceneError, SceneErrors};
 pub use source::{Location, Source};
+pub(crate) use texts::split_setting;

@@ -21,12 +21,8 @@ pub(in crate::cli) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Re
     let table = curves_csv(reports).map_err(io::Error::from);
     for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports))] {
         let path = folder.join(name);
-        let text = text.map_err(|source| DiskError::Io { path: path.clone(), action: "written", source })?;
-        whole_file::write_unless_same(&path, text.as_bytes()).map_err(|source| DiskError::Io {
-            path,
-            action: "written",
-            source,
-        })?;
+        let text = text.map_err(DiskError::io(&path, "written"))?;
+        whole_file::write_unless_same(&path, text.as_bytes()).map_err(DiskError::io(&path, "written"))?;
     }
     Ok(())
 }

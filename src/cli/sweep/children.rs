@@ -7,6 +7,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use super::Request;
 use super::combinations::Run;
 use crate::cli::failure::Failure;
 use crate::cli::process::Session;
@@ -18,11 +19,9 @@ const GRACE: Duration = Duration::from_millis(1000);
 
 /// What all runs have in common.
 pub(super) struct Work<'a> {
-    pub scene: &'a Path,
-    pub mesh: Option<&'a Path>,
+    pub request: &'a Request<'a>,
     /// Of the sweep.
     pub folder: &'a Path,
-    pub restart: bool,
     /// How many at a time, and with how many threads each.
     pub at_once: usize,
     pub threads: usize,
@@ -83,15 +82,15 @@ impl Work<'_> {
         fs::create_dir_all(self.folder)?;
         let log = File::create(log_of(self.folder, run))?;
         let mut command = Command::new(std::env::current_exe()?);
-        command.arg("run").arg(self.scene).arg("--out").arg(self.folder.join(&run.name));
+        command.arg("run").arg(self.request.scene).arg("--out").arg(self.folder.join(&run.name));
         command.arg("--quiet").arg("--threads").arg(self.threads.to_string());
         run.settings.iter().for_each(|setting| {
             command.arg("--set").arg(setting);
         });
-        if let Some(mesh) = self.mesh {
+        if let Some(mesh) = self.request.mesh {
             command.arg("--mesh").arg(mesh);
         }
-        if self.restart {
+        if self.request.restart {
             command.arg("--restart");
         }
         command.stdin(Stdio::null()).stdout(log.try_clone()?).stderr(log).spawn()

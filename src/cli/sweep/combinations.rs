@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::digest::Digest;
+use crate::scene::split_setting;
 
 /// One run of a sweep.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,7 +29,7 @@ pub(super) fn combinations(set: &[String]) -> Vec<Run> {
         let (key, values) = keys_and_values(text);
         let several = values.len() > 1;
         let with = |(settings, parts): &(Vec<String>, Vec<String>), value: &&str| {
-            let setting = if text.contains('=') { format!("{key}={value}") } else { text.clone() };
+            let setting = if split_setting(text).is_some() { format!("{key}={value}") } else { text.clone() };
             let mut next = (settings.clone(), parts.clone());
             if several {
                 next.1.push(setting.clone());
@@ -52,8 +53,8 @@ pub(super) fn combinations(set: &[String]) -> Vec<Run> {
 }
 
 /// The key, and its values: what stands between commas outside of quotes and brackets.
-pub(super) fn keys_and_values(text: &str) -> (&str, Vec<&str>) {
-    let (key, list) = text.split_once('=').unwrap_or((text, ""));
+fn keys_and_values(text: &str) -> (&str, Vec<&str>) {
+    let (key, list) = split_setting(text).unwrap_or((text, ""));
     let (mut values, mut start) = (Vec::new(), 0);
     let (mut depth, mut quote) = (0_usize, None);
     for (place, c) in list.char_indices() {

@@ -11,14 +11,14 @@ use std::path::{Path, PathBuf};
 
 use self::children::{Ended, Work, log_of};
 use self::combinations::{Run, combinations};
-use self::results::{csv, row_of, write_rows};
+use self::results::{Row, csv, row_of, write_rows};
 use self::room::room_for;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::process::Session;
-use super::set_up::{count_classes, folder_of};
+use super::set_up::{folder_of, read_scene};
 use crate::film::{self, DiskError, Tile};
-use crate::scene::{MeshSection, Scene, SceneErrors};
+use crate::scene::Scene;
 use crate::whole_file;
 
 /// What is asked for.
@@ -42,7 +42,9 @@ pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) 
         return Err(Failure::Sweep(count));
     }
     let runs = combinations(request.set);
-    let scenes = scenes_of(request, &runs)?;
+    // Nothing begins if one of them has a mistake.
+    let scene = |run: &Run| read_scene(request.scene, request.mesh, &run.settings);
+    let scenes = runs.iter().map(scene).collect::<Result<Vec<_>, _>>()?;
     let Some(first) = scenes.first() else { return Ok(()) };
     let folder = match request.out {
         Some(folder) => folder.to_owned(),
@@ -52,57 +54,37 @@ pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) 
     let faces = first.surface().map_err(PipelineError::from)?.mesh.face_count();
     let [at_once, threads] = room_for(runs.len(), rayon::current_num_threads(), first, faces);
     session.log.note(format_args!("{} runs, {at_once} at a time", runs.len()));
-    let work =
-        Work { scene: request.scene, mesh: request.mesh, folder: &folder, restart: request.restart, at_once, threads };
-    let mut times = Times::of(&folder, request.restart);
-    let (mut done, mut failed) = (0, false);
+    let mut times = Times::of(&folder, request.restart)?;
+    let mut rows = BTreeMap::new();
+    let mut failed = false;
+    let work = Work { request, folder: &folder, at_once, threads };
     work.run(&runs, session, |&Ended { index, code, seconds }| {
         let run = &runs[index];
-        done += 1;
         failed |= code != Some(0);
-        let seconds = times.add(run, seconds)?;
-        let row = row_of(&folder, run, seconds);
-        session.log.note(format_args!("{done} of {}: {}: {}", runs.len(), run.name, row.in_words()));
+        let row = row_of(&folder, run, times.add(run, seconds)?);
+        session.log.note(format_args!("{} of {}: {}: {}", rows.len() + 1, runs.len(), run.name, row.in_words()));
         if !matches!(code, Some(0 | 1)) || row.inspection.is_none() {
             session.log.error(format_args!("{}: it failed; {} says why", run.name, log_of(&folder, run).display()));
         }
+        rows.insert(index, row);
         Ok(())
     })?;
-    let rows: Vec<_> = runs.iter().map(|run| row_of(&folder, run, times.of_run(run))).collect();
-    let table = folder.join("sweep.csv");
-    write(&table, csv(&rows).as_bytes())?;
+    let rows: Vec<Row> = rows.into_values().collect();
+    write(&folder.join("sweep.csv"), csv(&rows).as_bytes())?;
     write_rows(out, &rows)?;
-    let whole: Vec<Tile> = runs
-        .iter()
-        .zip(scenes)
-        .zip(&rows)
-        .filter(|((_, scene), row)| row.frames() == scene.clock.frames)
-        .map(|((run, scene), row)| Tile {
-            scene,
-            folder: folder.join(&run.name),
-            captions: [run.name.replace(',', ", "), row.caption()],
-        })
-        .collect();
+    let films = rows.iter().zip(scenes).filter(|(row, scene)| row.frames() == scene.clock.frames);
+    let tile = |(row, scene): (&Row, Scene)| Tile {
+        scene,
+        folder: folder.join(&row.run.name),
+        captions: [row.run.name.replace(',', ", "), row.caption()],
+    };
+    let whole: Vec<Tile> = films.map(tile).collect();
     let picture = folder.join("sweep.png");
     film::make_sheet_of_films(&whole, &picture, &mut |event| session.log.pictures(event))
         .map_err(PipelineError::from)?;
     session.log.finish();
     writeln!(out, "{}: table and picture written", one_line(&folder.to_string_lossy()))?;
     if failed { Err(Failure::NotWell) } else { Ok(()) }
-}
-
-/// The scenes of all runs. Nothing begins if one of them has a mistake.
-fn scenes_of(request: &Request, runs: &[Run]) -> Result<Vec<Scene>, Failure> {
-    let scene = |run: &Run| -> Result<Scene, SceneErrors> {
-        let mut scene = Scene::read_with(request.scene, &run.settings)?;
-        if let Some(mesh) = request.mesh {
-            scene.mesh = MeshSection::File(std::path::absolute(mesh).unwrap_or_else(|_| mesh.to_owned()));
-        }
-        Ok(scene)
-    };
-    let mut scenes = runs.iter().map(scene).collect::<Result<Vec<_>, _>>().map_err(PipelineError::from)?;
-    scenes.iter_mut().try_for_each(count_classes)?;
-    Ok(scenes)
 }
 
 /// The folder of a sweep of a scene whose own film has this one.
@@ -113,11 +95,7 @@ fn beside(folder: PathBuf) -> PathBuf {
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), PipelineError> {
-    let failed = |source| DiskError::Io { path: path.to_owned(), action: "written", source };
-    if let Some(folder) = path.parent() {
-        whole_file::create_folder(folder).map_err(failed)?;
-    }
-    Ok(whole_file::write_unless_same(path, bytes).map_err(failed)?)
+    Ok(whole_file::write_unless_same(path, bytes).map_err(DiskError::io(path, "written"))?)
 }
 
 /// The seconds of each run, by its name.
@@ -128,11 +106,13 @@ struct Times {
 
 impl Times {
     /// Those that are kept with a sweep; none if they cannot be read.
-    fn of(folder: &Path, restart: bool) -> Times {
-        let path = folder.join(".immerse").join(SECONDS);
+    fn of(folder: &Path, restart: bool) -> Result<Times, PipelineError> {
+        let folder = folder.join(".immerse");
+        whole_file::create_folder(&folder).map_err(DiskError::io(&folder, "written"))?;
+        let path = folder.join(SECONDS);
         let kept = if restart { None } else { std::fs::read(&path).ok() };
         let seconds = kept.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-        Times { path, seconds }
+        Ok(Times { path, seconds })
     }
 
     /// Adds to those of a run; returns all of it.
@@ -143,9 +123,5 @@ impl Times {
         let text = serde_json::to_vec_pretty(&self.seconds).unwrap_or_default();
         write(&self.path, &text)?;
         Ok(all)
-    }
-
-    fn of_run(&self, run: &Run) -> f64 {
-        self.seconds.get(&run.name).copied().unwrap_or_default()
     }
 }

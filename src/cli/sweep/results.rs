@@ -3,9 +3,10 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use super::combinations::{Run, keys_and_values};
+use super::combinations::Run;
 use crate::cli::results::{Inspection, percent, write_table};
 use crate::evolve::FrameReport;
+use crate::scene::split_setting;
 
 /// A run that has ended.
 pub(super) struct Row<'a> {
@@ -79,7 +80,7 @@ const COLUMNS: [Column; 14] = [
 pub(super) fn csv(rows: &[Row]) -> String {
     let Some(first) = rows.first() else { return String::new() };
     let mut heading = vec!["run"];
-    heading.extend(first.run.settings.iter().map(|setting| keys_and_values(setting).0));
+    heading.extend(first.run.settings.iter().map(|setting| key_of(setting)));
     heading.extend(COLUMNS.iter().map(|(title, _)| *title));
     heading.extend(["seconds", "checks"]);
     let mut lines = vec![line(heading.into_iter().map(str::to_owned))];
@@ -100,14 +101,18 @@ fn line(cells: impl Iterator<Item = String>) -> String {
     cells.map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
+fn key_of(setting: &str) -> &str {
+    split_setting(setting).map_or(setting, |(key, _)| key)
+}
+
 fn value_of(setting: &str) -> &str {
-    setting.split_once('=').map_or("", |(_, value)| value)
+    split_setting(setting).map_or("", |(_, value)| value)
 }
 
 /// The same for people.
 pub(super) fn write_rows(out: &mut impl Write, rows: &[Row]) -> io::Result<()> {
     let Some(first) = rows.first() else { return Ok(()) };
-    let keys: Vec<String> = first.run.settings.iter().map(|setting| keys_and_values(setting).0.to_owned()).collect();
+    let keys: Vec<String> = first.run.settings.iter().map(|setting| key_of(setting).to_owned()).collect();
     let titles = ["L2 error", "max error", "rims", "pinch points", "class", "steps", "seconds", "checks"];
     let mut table = vec![keys.into_iter().chain(titles.map(str::to_owned)).collect::<Vec<_>>()];
     for row in rows {

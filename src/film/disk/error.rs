@@ -146,7 +146,8 @@ impl DiskError {
         DiskError::NotAFolder { path: path.to_owned(), folder }
     }
 
-    pub(super) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> DiskError {
+    /// A file that could not be read or written.
+    pub(crate) fn io(path: impl Into<PathBuf>, action: &'static str) -> impl FnOnce(io::Error) -> DiskError {
         let path = path.into();
         move |source| DiskError::Io { path, action, source }
     }

@@ -263,19 +263,26 @@ impl FilmFolder {
         Ok((record.state_sha256, record.report))
     }
 
+    /// The checksum of the state of a frame; `None` if it is not done, or not as it was written.
+    ///
+    /// # Errors
+    /// [`DiskError::Io`] if it is there but the system refuses to read it, which says nothing of the frame.
+    pub fn state(&self, frame: usize) -> Result<Option<Key>, DiskError> {
+        match self.contents(frame) {
+            Ok((state, _)) => Ok(Some(state)),
+            Err(error @ DiskError::Io { .. }) => Err(error),
+            Err(_) => Ok(None),
+        }
+    }
+
     /// Stands for the states of all frames as they are now, those included that are not there.
     ///
     /// # Errors
-    /// [`DiskError::Io`] if a frame is there but the system refuses to read it.
+    /// Those of [`FilmFolder::state`].
     pub fn all_contents(&self) -> Result<Key, DiskError> {
         let mut digest = Digest::of("film");
         for frame in 1..=self.manifest.frame_count {
-            let state = match self.contents(frame) {
-                Ok((state, _)) => Some(state),
-                Err(error @ DiskError::Io { .. }) => return Err(error),
-                Err(_) => None,
-            };
-            digest = digest.shown(&state);
+            digest = digest.shown(&self.state(frame)?);
         }
         Ok(digest.finish())
     }

@@ -10,9 +10,9 @@ use super::view::View;
 use crate::evolve::Frame;
 use crate::film::disk::{FilmFolder, FilmMesh};
 use crate::film::error::FilmError;
-use crate::immersion::{FieldError, FieldInput, FieldName, FieldValues, Fields, bending_angles};
+use crate::film::metric_of_frame::metric_of_frame;
+use crate::immersion::{FieldInput, FieldName, FieldValues, Fields, bending_angles};
 use crate::mesh::{EdgeId, Mesh};
-use crate::metric::Metric;
 use crate::render::{self_intersections, smooth_normals};
 
 /// What is the same in all frames.
@@ -93,7 +93,7 @@ impl Subject {
         let name = &film.manifest().scene;
         let FilmMesh { mesh, pins, .. } = film.mesh()?;
         let first = film.read_frame(1)?;
-        let fields = Fields::new(mesh.clone(), metric(&mesh, &first)?, first.report.stiffness);
+        let fields = Fields::new(mesh.clone(), metric_of_frame(&mesh, &first)?, first.report.stiffness);
         let size = size_of(&first.positions);
         let boundary = mesh.boundary_loops();
         let first_positions = match frames.first() {
@@ -165,9 +165,8 @@ impl Subject {
             return Ok(Vec::new());
         }
         let Frame { positions, face_frames: frames, spin, .. } = frame;
-        let input = FieldInput { metric: &metric(&self.mesh, frame)?, positions, frames, spin };
-        let failed = |error: FieldError| FilmError::Field { reason: error.to_string() };
-        names.map(|name| Ok((name, self.fields.of(name, &input).map_err(failed)?))).collect()
+        let input = FieldInput { metric: &metric_of_frame(&self.mesh, frame)?, positions, frames, spin };
+        names.map(|name| Ok((name, self.fields.of(name, &input).map_err(FilmError::field)?))).collect()
     }
 
     /// Whether a field has a value for each face ("uniform") or each vertex, as USD says.
@@ -183,10 +182,6 @@ impl Subject {
 
 fn ends(mesh: &Mesh, e: EdgeId) -> [u32; 2] {
     mesh.edge_vertices(e).map(|v| v.0)
-}
-
-fn metric(mesh: &Mesh, frame: &Frame) -> Result<Metric, FilmError> {
-    Metric::new(mesh, frame.edge_lengths.clone()).map_err(|error| FilmError::Field { reason: error.to_string() })
 }
 
 /// The diagonal of the box around points.

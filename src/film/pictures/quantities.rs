@@ -7,6 +7,7 @@ use crate::{
     film::{
         disk::{FilmFolder, FilmMesh},
         error::FilmError,
+        metric_of_frame::metric_of_frame,
     },
     immersion::{FieldInput, FieldName, FieldValues, Fields},
     mesh::Mesh,
@@ -70,7 +71,7 @@ impl Measures {
         let fields = if wanted {
             let first = folder.read_frame(1)?;
             // Energies are those of the reports.
-            let metric = metric(&surface.mesh, &first)?;
+            let metric = metric_of_frame(&surface.mesh, &first)?;
             Some(Fields::new(surface.mesh.clone(), metric, first.report.stiffness))
         } else {
             None
@@ -127,12 +128,12 @@ impl Measures {
         if let Some(name) = self.free_color(plan)
             && let Some(values) = self.values(&basis, name, frame)?
         {
-            spreads.color.add(&values);
+            spreads.color.add(values.all());
         }
         if let Along::Field(name, _) = self.along
             && let Some(values) = self.values(&basis, name, frame)?
         {
-            spreads.along.add(&values);
+            spreads.along.add(values.all());
         }
         Ok(spreads)
     }
@@ -163,13 +164,13 @@ impl Measures {
         if self.fields.is_none() {
             return Ok(None);
         }
-        Ok(Some(Basis { metric: metric(mesh, frame)?, spin: frame.spin.clone() }))
+        Ok(Some(Basis { metric: metric_of_frame(mesh, frame)?, spin: frame.spin.clone() }))
     }
 
     fn values(&self, basis: &Option<Basis>, name: FieldName, frame: &Frame) -> Result<Option<FieldValues>, FilmError> {
         let (Some(fields), Some(Basis { metric, spin })) = (&self.fields, basis) else { return Ok(None) };
         let input = FieldInput { metric, positions: &frame.positions, frames: &frame.face_frames, spin };
-        fields.of(name, &input).map(Some).map_err(|error| damaged(error.to_string()))
+        fields.of(name, &input).map(Some).map_err(FilmError::field)
     }
 }
 
@@ -199,11 +200,3 @@ fn along(plan: &Plan, folder: &FilmFolder, surface: &FilmMesh) -> Result<Along, 
 
 /// Bands of the look that is named for them, if the scene says nothing else.
 const BANDS: usize = 12;
-
-fn metric(mesh: &Mesh, frame: &Frame) -> Result<Metric, FilmError> {
-    Metric::new(mesh, frame.edge_lengths.clone()).map_err(|error| damaged(error.to_string()))
-}
-
-fn damaged(reason: String) -> FilmError {
-    FilmError::Field { reason }
-}

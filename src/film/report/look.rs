@@ -104,7 +104,7 @@ pub(super) fn field(field: FieldName, (map, range): (ColorMap, [f32; 2]), spread
         "name": field.name(),
         "title": legend.title,
         "unit": legend.unit,
-        "map": map_name(map),
+        "map": map.name(),
         "range": legend.range.map(|value| six_digits(value.into())),
         "beyond": legend.beyond,
         "perFace": field.is_per_face(),
@@ -121,11 +121,7 @@ pub(super) fn map(map: ColorMap) -> (&'static str, Json) {
         ColorMap::Categorical => (0..10).map(|k| linear(map.color(k as f32, [0.0, 1.0]))).collect(),
         _ => (0..ENTRIES).map(|k| linear(map.at(k as f32 / (ENTRIES - 1) as f32))).collect(),
     };
-    (map_name(map), colors)
-}
-
-fn map_name(map: ColorMap) -> &'static str {
-    ColorMap::ALL.iter().find(|(_, of)| *of == map).map_or("", |(name, _)| name)
+    (map.name(), colors)
 }
 
 fn linear(color: Vec3) -> Json {

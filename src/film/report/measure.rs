@@ -6,8 +6,9 @@ use super::records::Record;
 use crate::evolve::{Frame, FrameReport};
 use crate::film::disk::{FilmFolder, FilmMesh};
 use crate::film::error::FilmError;
+use crate::film::metric_of_frame::metric_of_frame;
 use crate::film::pictures::Views;
-use crate::immersion::{FieldError, FieldInput, FieldName, Fields, bending_angles, length_errors, pinch_points};
+use crate::immersion::{FieldInput, FieldName, Fields, bending_angles, length_errors, pinch_points};
 use crate::mesh::{EdgeId, Mesh};
 use crate::metric::Metric;
 use crate::render::{Output, Scenery, self_intersections, sky_all_around};
@@ -59,7 +60,7 @@ impl Subject {
     pub fn of(film: &FilmFolder) -> Result<Subject, FilmError> {
         let FilmMesh { mesh, pins, .. } = film.mesh()?;
         let first = film.read_frame(1)?;
-        let metric = metric(&mesh, &first)?;
+        let metric = metric_of_frame(&mesh, &first)?;
         Ok(Subject {
             triangles: mesh.triangles(),
             pins: pins.into_iter().map(|v| v.0).collect(),
@@ -80,10 +81,10 @@ impl Subject {
     ) -> Result<Measured, FilmError> {
         let Subject { mesh, triangles, fields, .. } = self;
         let Frame { positions, face_frames: frames, spin, .. } = frame;
-        let metric = metric(mesh, frame)?;
+        let metric = metric_of_frame(mesh, frame)?;
         let input = FieldInput { metric: &metric, positions, frames, spin };
-        let failed = |error: FieldError| FilmError::Field { reason: error.to_string() };
-        let values = |&(_, name): &(&str, FieldName)| Ok(fields.of(name, &input).map_err(failed)?.all().to_vec());
+        let values =
+            |&(_, name): &(&str, FieldName)| Ok(fields.of(name, &input).map_err(FilmError::field)?.all().to_vec());
         let errors = length_errors(mesh, &metric, positions);
         let ends = |e: EdgeId| mesh.edge_vertices(e).map(|v| v.0);
         let mut sky = [Vec::new(), Vec::new()];
@@ -104,17 +105,13 @@ impl Subject {
                 report: frame.report.clone(),
                 mean_error: errors.iter().map(|error| error.abs()).sum::<f64>() / errors.len().max(1) as f64,
                 histogram: histogram(&errors),
-                energy: fields.energy_terms(&input).map_err(failed)?,
+                energy: fields.energy_terms(&input).map_err(FilmError::field)?,
                 bend: root_mean_square_angle(mesh, &metric, &bending_angles(mesh, positions)),
                 rims: frame.rims.iter().map(|&e| ends(e)).collect(),
                 pinch_points: pinch_points(mesh, positions).into_iter().map(|v| v.0).collect(),
             },
         })
     }
-}
-
-fn metric(mesh: &Mesh, frame: &Frame) -> Result<Metric, FilmError> {
-    Metric::new(mesh, frame.edge_lengths.clone()).map_err(|error| FilmError::Field { reason: error.to_string() })
 }
 
 fn histogram(errors: &[f64]) -> [u32; BINS] {

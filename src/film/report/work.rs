@@ -15,12 +15,12 @@ use super::records::Records;
 use super::{facts, look};
 use crate::digest::{Digest, Key};
 use crate::evolve::Frame;
-use crate::film::disk::{DiskError, FilmFolder};
+use crate::film::disk::FilmFolder;
 use crate::film::error::FilmError;
 use crate::film::kept_scene::scene_to_show;
 use crate::film::ledger::Ledger;
 use crate::film::pictures::{Arrivals, Event, Plan, RENDERER, Views, Watch, at_a_time, in_order};
-use crate::immersion::{FieldName, FieldValues};
+use crate::immersion::FieldName;
 use crate::render::{FieldSpread, Output};
 use crate::whole_file;
 
@@ -92,7 +92,7 @@ struct Survey {
 impl Survey {
     fn push(&mut self, Measured { record, small }: Measured) -> io::Result<()> {
         for (spread, values) in self.spreads.iter_mut().zip(&record.fields) {
-            spread.add(&FieldValues::PerFace(values.clone()));
+            spread.add(values);
         }
         self.lengths = record.fields.iter().map(Vec::len).collect();
         for point in record.positions.iter().chain(record.crossings.iter().flatten()) {
@@ -118,13 +118,8 @@ fn made(
 ) -> Result<String, FilmError> {
     let count = film.manifest().frame_count;
     let mut frames = Vec::new();
-    for frame in 1..=count {
-        match film.contents(frame) {
-            Ok(_) => frames.push(frame),
-            // That the system refuses to read a frame says nothing of it.
-            Err(error @ DiskError::Io { .. }) => return Err(error.into()),
-            Err(_) => break,
-        }
+    while frames.len() < count && film.state(frames.len() + 1)?.is_some() {
+        frames.push(frames.len() + 1);
     }
     if frames.is_empty() {
         return Err(FilmError::NoSuchFrame { folder: film.folder().to_owned(), frame: 1 });

@@ -51,6 +51,11 @@ impl ColorMap {
         ("categorical", ColorMap::Categorical),
     ];
 
+    /// Its name, as in `viridis`.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, map)| *map == self).map_or("", |(name, _)| name)
+    }
+
     /// A map that suits a field: diverging for values with a sign, categorical for numbers of things.
     pub fn suiting(field: FieldName) -> ColorMap {
         match field {

@@ -1,6 +1,6 @@
 //! Which of the values of a field pictures show.
 
-use crate::immersion::{FieldName, FieldValues};
+use crate::immersion::FieldName;
 
 /// How the values of a field are spread, over as many frames as are added, in little memory.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,8 +22,8 @@ const SHOWN: f64 = 0.98;
 
 impl FieldSpread {
     /// Adds the values of a frame. Those that are not finite do not count.
-    pub fn add(&mut self, values: &FieldValues) {
-        for &value in values.all().iter().filter(|value| value.is_finite()) {
+    pub fn add(&mut self, values: &[f32]) {
+        for &value in values.iter().filter(|value| value.is_finite()) {
             self.extremes = [self.extremes[0].min(value), self.extremes[1].max(value)];
             self.counts[(value.abs().to_bits() >> 16) as usize] += 1;
             self.finite += 1;

@@ -13,4 +13,5 @@ pub(super) use chain::{Link, chain};
 pub(super) use merge::{lay_over, move_paths, take_extends, without};
 pub(super) use read::read_text;
 pub(super) use setting::Setting;
+pub(crate) use setting::split_setting;
 pub(super) use text::{Texts, padding};

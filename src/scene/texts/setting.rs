@@ -34,7 +34,7 @@ impl Setting {
         let end = start + text.len();
         let mut setting = Setting { text: text.to_owned(), start, documents: None, value: end..end };
         let is_deep = |key: &str| key.matches('.').count() > MOST_PARTS;
-        if let Some((key, value)) = split(text).filter(|(key, _)| !is_deep(key)) {
+        if let Some((key, value)) = split_setting(text).filter(|(key, _)| !is_deep(key)) {
             let place = start + key.len() + 1;
             let blanks = value.len() - value.trim_start().len();
             setting.value = place + blanks..place + blanks + value.trim().len();
@@ -96,7 +96,7 @@ fn problem(span: Range<usize>, reason: String, remedy: &str) -> Problem {
 }
 
 /// Key and value, between which is the first equals sign outside of quotes.
-fn split(text: &str) -> Option<(&str, &str)> {
+pub(crate) fn split_setting(text: &str) -> Option<(&str, &str)> {
     let mut quote = None;
     for (place, c) in text.char_indices() {
         match (quote, c) {

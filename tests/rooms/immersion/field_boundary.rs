@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::support::Random;
 use glam::{DVec2, DVec3};
-use immerse::immersion::{FieldName, FieldValues};
+use immerse::immersion::FieldName;
 use immerse::immersion::{gaussian_curvatures, mean_curvatures, pinch_points};
 use immerse::mesh::{Mesh, VertexId, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
@@ -162,7 +162,7 @@ fn curvatures_at_pinch_points_and_degenerate_vertices_are_numbers() {
 fn ranges_of_curvatures_follow_the_unit_of_length() {
     let range = |name: FieldName, value: f32| {
         let mut spread = FieldSpread::default();
-        spread.add(&FieldValues::PerVertex(vec![value, -value]));
+        spread.add(&[value, -value]);
         spread.range(name)
     };
     for unit in [1e-9_f32, 1.0, 1e7] {

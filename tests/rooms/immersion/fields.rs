@@ -284,7 +284,7 @@ fn fields_are_the_same_bits_on_any_number_of_threads() {
 fn ranges_leave_out_spikes_and_read_well() {
     let range = |name: FieldName, values: &[f32]| {
         let mut spread = FieldSpread::default();
-        spread.add(&FieldValues::PerFace(values.to_vec()));
+        spread.add(values);
         spread.range(name)
     };
     // 0.01 to 1 and one spike: 98 of 101 are up to 0.98 or 0.99.
@@ -303,7 +303,7 @@ fn ranges_leave_out_spikes_and_read_well() {
     // A film is the sum of its frames, in any order.
     let spread = |frames: &[&[f32]]| {
         let mut spread = FieldSpread::default();
-        frames.iter().for_each(|frame| spread.add(&FieldValues::PerVertex(frame.to_vec())));
+        frames.iter().for_each(|frame| spread.add(frame));
         spread
     };
     let mut merged = spread(&[&[3.0, -1.0]]);

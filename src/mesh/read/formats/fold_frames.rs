@@ -33,9 +33,7 @@ impl<'a> Entry<'a> {
     pub fn read<T: DeserializeOwned>(self, key: &str, remedy: &str) -> Result<Option<T>, Problem> {
         let Some(raw) = self.0 else { return Ok(None) };
         serde_json::from_str(raw.get()).map(Some).map_err(|error| {
-            let reason = error.to_string();
-            let reason = reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason);
-            Problem::new(format!("`{key}` is not what FOLD has there: {reason}"), remedy)
+            Problem::new(format!("`{key}` is not what FOLD has there: {}", without_place(&error)), remedy)
         })
     }
 
@@ -44,14 +42,18 @@ impl<'a> Entry<'a> {
     }
 }
 
+/// What is wrong, without line and column.
+fn without_place(error: &serde_json::Error) -> String {
+    let reason = error.to_string();
+    reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason).to_owned()
+}
+
 type Keys<'a> = HashMap<String, &'a RawValue>;
 
 /// All frames of a file, by their numbers.
 pub(super) fn frames(text: &str) -> Result<Vec<Frame<'_>>, Problem> {
     let no_json = |error: serde_json::Error| {
-        let reason = error.to_string();
-        let reason = reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason).to_owned();
-        Problem::at(error.line(), format!("this is not JSON: {reason}"), "export it again as FOLD")
+        Problem::at(error.line(), format!("this is not JSON: {}", without_place(&error)), "export it again as FOLD")
     };
     let whole: &RawValue = serde_json::from_str(text).map_err(no_json)?;
     let Ok(mut top) = serde_json::from_str::<Keys>(whole.get()) else {
