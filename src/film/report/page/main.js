@@ -34,8 +34,6 @@ async function main() {
     closed.forEach((details) => { details.open = true; });
   });
   addEventListener("afterprint", () => closed.forEach((details) => { details.open = false; }));
-  // What a film comes to is what one wants to see first; to play begins anew from there.
-  viewer.go(viewer.frames.length - 1);
   page.dataset.ready = "yes";
   globalThis.viewer = viewer; // for those who look behind the page
 }

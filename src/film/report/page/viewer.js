@@ -31,7 +31,8 @@ class Viewer {
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.redraw());
       addEventListener("beforeprint", () => this.paint(true));
     }
-    this.go(0);
+    // What a film comes to is what one wants to see first; to play begins anew from there.
+    this.go(this.frames.length - 1);
   }
 
   /** Is told of every frame that is shown. */
