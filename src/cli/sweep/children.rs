@@ -7,8 +7,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use super::Request;
 use super::combinations::Run;
+use super::request::Request;
 use crate::cli::failure::Failure;
 use crate::cli::process::Session;
 

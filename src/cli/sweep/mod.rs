@@ -2,6 +2,7 @@
 
 mod children;
 mod combinations;
+mod request;
 mod results;
 mod room;
 
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 
 use self::children::{Ended, Work, log_of};
 use self::combinations::{Run, combinations};
+pub(super) use self::request::Request;
 use self::results::{Row, csv, row_of, write_rows};
 use self::room::room_for;
 use super::diagnostics::one_line;
@@ -20,15 +22,6 @@ use super::set_up::{folder_of, read_scene};
 use crate::film::{self, DiskError, Tile};
 use crate::scene::Scene;
 use crate::whole_file;
-
-/// What is asked for.
-pub(super) struct Request<'a> {
-    pub scene: &'a Path,
-    pub mesh: Option<&'a Path>,
-    pub set: &'a [String],
-    pub out: Option<&'a Path>,
-    pub restart: bool,
-}
 
 /// How long each run took until now, so that one that is gone on with has the time of all.
 const SECONDS: &str = "seconds.json";
