@@ -40,6 +40,9 @@ pub(super) enum Command {
         /// Begin anew, replacing frames and pictures that are there
         #[arg(long)]
         restart: bool,
+        /// Keep a small picture of the newest frame meanwhile, DIR/preview.png
+        #[arg(long)]
+        preview: bool,
         #[command(flatten)]
         pictures: PictureOptions,
     },
@@ -50,6 +53,9 @@ pub(super) enum Command {
         /// Begin anew, replacing the frames that are there
         #[arg(long)]
         restart: bool,
+        /// Keep a small picture of the newest frame meanwhile, DIR/preview.png
+        #[arg(long)]
+        preview: bool,
     },
     /// Make pictures of computed frames
     Render {

@@ -15,13 +15,13 @@ use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
 use super::leftovers::clear_leftovers;
 use super::picture_options::PictureOptions;
-use super::pipeline::{self, Summary};
+use super::pipeline::{self, Making, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};
 use super::report::{report, write_report};
 use super::results::{Inspection, step_limit_line, verdict, write_curves};
 use super::set_up::{folder_of, read_scene};
-use super::sweep::{self, sweep};
+use super::sweep::{self, report_of_sweep, sweep};
 use crate::film::{self, FilmFolder, Plan};
 use crate::scene::Scene;
 use crate::whole_file;
@@ -104,11 +104,14 @@ fn execute(arguments: &Arguments, session: &Session) -> Result<(), Failure> {
 
 fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), Failure> {
     match command {
-        Command::Run { film, restart, pictures } => run(film, *restart, pictures, session, out),
-        Command::Simulate { film, restart } => {
+        Command::Run { film, restart, preview, pictures } => {
+            run(film, Making { restart: *restart, preview: *preview }, pictures, session, out)
+        }
+        Command::Simulate { film, restart, preview } => {
             let (scene, folder) = open(film)?;
             session.hold(&folder)?;
-            let summary = pipeline::simulate(&scene, &folder, *restart, session)?;
+            let summary =
+                pipeline::simulate(&scene, &folder, Making { restart: *restart, preview: *preview }, session)?;
             session.log.finish();
             clear_leftovers(&folder, None, false, &session.log)?;
             let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
@@ -153,7 +156,10 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             let request = Request { folder, formats: format, to: to.as_deref(), restart: *restart };
             export(&request, frames.as_ref(), session, out)
         }
-        Command::Report { folder, restart } => report(folder, *restart, session, out),
+        Command::Report { folder, restart } => match report_of_sweep(folder, session, out) {
+            Some(reported) => reported,
+            None => report(folder, *restart, session, out),
+        },
         Command::New { name } => new(name, out),
         Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
@@ -181,7 +187,7 @@ fn open(film: &Film) -> Result<(Scene, PathBuf), Failure> {
 
 fn run(
     film: &Film,
-    restart: bool,
+    making: Making,
     pictures: &PictureOptions,
     session: &Session,
     out: &mut impl Write,
@@ -189,7 +195,8 @@ fn run(
     let (mut scene, folder) = open(film)?;
     let frames = pictures.apply(&mut scene)?;
     session.hold(&folder)?;
-    let [simulated, rendered] = pipeline::run(&scene, &folder, restart, &frames, session)?;
+    let [simulated, rendered] = pipeline::run(&scene, &folder, making, &frames, session)?;
+    let restart = making.restart;
     session.log.finish();
     clear_leftovers(&folder, Some(&scene.output), scene.output.report, &session.log)?;
     let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;

@@ -1,7 +1,7 @@
 //! `gallery`: one picture of each scene.
 
 use std::fs;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use super::diagnostics::one_line;
@@ -9,9 +9,13 @@ use super::failure::{Failure, PipelineError};
 use super::pipeline;
 use super::process::Session;
 use super::set_up::{folder_of, read_scene};
+use super::sweep::{POSTER, Request, sweep};
+use crate::whole_file;
 
 /// The scene of which there is a picture in all looks, `looks.png`.
 const SHOWN_IN_ALL_LOOKS: &str = "flat_torus";
+/// The scene that is shown in all classes of its surface, by a sweep.
+const SHOWN_IN_ALL_CLASSES: &str = "class_gallery";
 
 /// Makes `<out>/<scene>.png` of each scene, and gives those that were skipped because their input is not there. Films
 /// are kept in `work`, and gone on with.
@@ -57,6 +61,18 @@ fn show(
     poster.push(".png");
     let poster = PathBuf::from(poster);
     session.log.of_scene(&scene.name);
+    if scene.name == SHOWN_IN_ALL_CLASSES {
+        let all = work.join(format!("{SHOWN_IN_ALL_CLASSES}.sweep"));
+        let set = [settings, &["spin.class=all".to_owned()]].concat();
+        let swept =
+            sweep(&Request { scene: path, mesh: None, set: &set, out: Some(&all), restart }, session, &mut io::sink());
+        session.let_go(&all);
+        swept?;
+        let failed = |source| Failure::Folder { path: poster.clone(), source };
+        let picture = fs::read(all.join(POSTER)).map_err(failed)?;
+        whole_file::write_unless_same(&poster, &picture).map_err(failed)?;
+        return Ok(poster);
+    }
     session.hold(&film)?;
     let made = pipeline::poster(&scene, &film, restart, &poster, session).and_then(|()| match scene.name.as_str() {
         SHOWN_IN_ALL_LOOKS => pipeline::look_sheet(&scene, &film, &out.join("looks.png"), session),

@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::failure::PipelineError;
+use super::preview::Preview;
 use super::process::Session;
 use super::progress::Log;
 use super::results::ranges;
@@ -23,6 +24,15 @@ pub struct Summary {
     pub kept: usize,
 }
 
+/// How the frames of a film are computed.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Making {
+    /// Anew, whatever is there.
+    pub restart: bool,
+    /// With a small picture of the newest one.
+    pub preview: bool,
+}
+
 /// Computes the frames that are not there yet and makes pictures of some, given by number in order, at the same time.
 /// Tells of both, in this order. If one fails the other ends; what is complete stays.
 ///
@@ -31,18 +41,18 @@ pub struct Summary {
 pub(super) fn run(
     scene: &Scene,
     folder: &Path,
-    restart: bool,
+    making: Making,
     frames: &[usize],
     session: &Session,
 ) -> Result<[Summary; 2], PipelineError> {
     if rayon::current_thread_index().is_some() {
-        let simulated = simulate(scene, folder, restart, session)?;
+        let simulated = simulate(scene, folder, making, session)?;
         return Ok([simulated, render_frames(scene, folder, frames, session)?]);
     }
     let arrivals = Arrivals::default().unless(session.signals.flag());
     let (simulated, pictured) = side_by_side(
         &arrivals,
-        || simulate_for(scene, folder, restart, &arrivals, &session.log),
+        || simulate_for(scene, folder, making, &arrivals, &session.log),
         || {
             let watch = &mut |event| session.log.pictures(event);
             film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)
@@ -79,13 +89,13 @@ fn side_by_side<S: Send, T, E>(
 pub(super) fn simulate(
     scene: &Scene,
     folder: &Path,
-    restart: bool,
+    making: Making,
     session: &Session,
 ) -> Result<Summary, PipelineError> {
     let arrivals = Arrivals::default().unless(session.signals.flag());
     // On a thread of the pool, where work in parallel begins and ends at less cost.
     let mut summary = None;
-    rayon::scope(|_| summary = Some(simulate_for(scene, folder, restart, &arrivals, &session.log)));
+    rayon::scope(|_| summary = Some(simulate_for(scene, folder, making, &arrivals, &session.log)));
     summary.transpose().map(Option::unwrap_or_default)
 }
 
@@ -93,7 +103,7 @@ pub(super) fn simulate(
 fn simulate_for(
     scene: &Scene,
     folder: &Path,
-    restart: bool,
+    Making { restart, preview }: Making,
     arrivals: &Arrivals,
     log: &Log,
 ) -> Result<Summary, PipelineError> {
@@ -113,6 +123,7 @@ fn simulate_for(
     log.begin_film(kept, valid.len());
     // Whoever makes pictures then knows at once how far the film goes.
     arrivals.reach(valid.iter().take_while(|&&valid| valid).count());
+    let mut preview = Preview::begin(preview, scene, folder)?;
     for (number, valid) in (1..).zip(&valid) {
         if !valid {
             let SetUp { mut simulation, places, notes } = match ready.take() {
@@ -126,6 +137,10 @@ fn simulate_for(
             ready = Some(SetUp { simulation, places, notes });
         }
         arrivals.reach(number);
+        // Of frames that are there already, the last one is enough.
+        if !valid || number == scene.clock.frames {
+            preview.iter_mut().try_for_each(|preview| preview.show(number))?;
+        }
     }
     Ok(Summary { made: valid.len() - kept, kept })
 }
@@ -255,7 +270,7 @@ pub(super) fn poster(
     path: &Path,
     session: &Session,
 ) -> Result<(), PipelineError> {
-    simulate(scene, folder, restart, session)?;
+    simulate(scene, folder, Making { restart, preview: false }, session)?;
     Ok(film::make_poster(scene, folder, path, &mut |event| session.log.pictures(event))?)
 }
 

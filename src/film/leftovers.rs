@@ -10,7 +10,7 @@ use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
 use super::ledger::{LEDGER, Ledger, PAGE};
-use super::pictures::SHEET;
+use super::pictures::{PREVIEW, SHEET};
 use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
 use crate::whole_file;
@@ -82,6 +82,15 @@ pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
 /// [`FilmError::Render`] if the list cannot be removed.
 pub fn forget_pictures(folder: &Path) -> Result<(), FilmError> {
     remove(&folder.join(LEDGER))
+}
+
+/// Removes the picture of the newest frame of an earlier run, which soon will show no frame of the film.
+///
+/// # Errors
+/// [`FilmError::Render`] if it cannot be removed.
+pub fn forget_preview(folder: &Path) -> Result<(), FilmError> {
+    let path = folder.join(PREVIEW);
+    if is_ours(&path) { remove(&path) } else { Ok(()) }
 }
 
 /// The files in a folder that have the names of pictures and curves, in order.

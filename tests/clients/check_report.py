@@ -164,6 +164,25 @@ def works_without_webgl(play, film):
     browser.close()
 
 
+def a_sweep_is_sorted_and_leads_to_its_films(browser, sweep):
+    """The page of a sweep: a picture a film, a table that every heading sorts both ways, and ways to the pages of films."""
+    page = Page(browser, sweep)
+    rows = lambda: page.page.eval_on_selector_all("tbody tr", "list => list.map((e) => e.innerText)")
+    as_made = rows()
+    assert len(as_made) == 4 == page.page.locator(".sheet img").count(), as_made
+    loaded = "list => list.every((image) => image.complete && image.naturalWidth > 100)"
+    assert page.page.eval_on_selector_all(".sheet img", loaded), "a picture does not load"
+    error = page.page.locator("th", has_text="length error").first
+    number = lambda row: float(next(cell for cell in row.split("\t") if cell.endswith(" %"))[:-2])
+    error.click()
+    assert [number(row) for row in rows()] == sorted(number(row) for row in as_made)
+    error.press("Enter")
+    assert [number(row) for row in rows()] == sorted((number(row) for row in as_made), reverse=True)
+    address = page.page.locator(".sheet a").first.get_attribute("href")
+    assert (FILMS / sweep / address).is_file(), address
+    page.close()
+
+
 with sync_playwright() as play:
     browser = play.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", *GRAPHICS])
     for film in ("relaxation", "ricci_torus", "breathing_torus"):
@@ -174,6 +193,8 @@ with sync_playwright() as play:
     # Sheets that one can see through and that pass through each other.
     for frame in (4, 30):
         looks_as_rendered(browser, "soap", frame)
+    a_sweep_is_sorted_and_leads_to_its_films(browser, "sweep")
+    fits_a_phone_and_the_dark(browser, "sweep")
     browser.close()
     works_without_webgl(play, "relaxation")
 print("pages: all is well")

@@ -20,6 +20,7 @@ mod frame_rates;
 mod hostile;
 mod interrupted;
 mod leftovers;
+mod looking_in;
 mod numpy;
 mod overlap;
 mod process;

@@ -77,3 +77,53 @@ fn a_check_that_does_not_hold_ends_the_sweep_with_1_and_with_all_runs() {
     let column = |line: usize| table(&folder.path().join("all"))[line].last().unwrap().clone();
     assert_eq!([column(1), column(2)], ["yes", "NO"]);
 }
+
+#[test]
+fn a_sweep_has_a_page_with_its_table_and_pictures() {
+    let folder = folder();
+    let sets = ["--set", "start.random=3,4", "--set", "spin.class=01", "--set", "output.report=true", "--out", "all"];
+    let (code, out, err) = program(folder.path(), &[&["sweep", "torus.toml"][..], &sets].concat());
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("all: table, page and picture written"), "{out}");
+    let path = folder.path().join("all/report.html");
+    let page = fs::read_to_string(&path).unwrap();
+    let facts = facts_of(&page);
+    assert_eq!(facts["keys"], serde_json::json!(["start.random"]));
+    assert_eq!(facts["common"], serde_json::json!(["spin.class = 01", "output.report = true"]));
+    let runs = facts["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 2);
+    for (run, seed) in runs.iter().zip(["3", "4"]) {
+        assert_eq!(run["values"], serde_json::json!([seed]));
+        assert_eq!(run["page"], format!("start.random={seed}/report.html"));
+        assert!(folder.path().join("all").join(run["page"].as_str().unwrap()).is_file());
+        assert!(run["picture"].as_str().unwrap().starts_with("data:image/png;base64,"));
+        assert!(run["last"]["l2_length_error"].as_f64().unwrap() > 0.0);
+    }
+    // Of a film that is gone the page says so, and the others stay.
+    fs::remove_dir_all(folder.path().join("all/start.random=4")).unwrap();
+    let (code, out, err) = program(folder.path(), &["report", "all"]);
+    assert_eq!((code, out.as_str()), (0, "all: report.html written\n"), "{err}");
+    let runs = facts_of(&fs::read_to_string(&path).unwrap())["runs"].clone();
+    assert!(runs[1]["last"].is_null() && runs[1]["picture"].is_null() && !runs[0]["last"].is_null());
+    // And the sweep makes what is gone, and the same page.
+    assert_eq!(program(folder.path(), &[&["sweep", "torus.toml"][..], &sets].concat()).0, 0);
+    assert!(fs::read_to_string(&path).unwrap() == page, "the page differs");
+}
+
+fn facts_of(page: &str) -> serde_json::Value {
+    let (_, rest) = page.split_once("id=\"facts\">").unwrap();
+    serde_json::from_str(rest.split_once("</script>").unwrap().0).unwrap()
+}
+
+#[test]
+fn all_classes_are_those_of_the_surface() {
+    let folder = folder();
+    let (code, _, err) = program(folder.path(), &["sweep", "torus.toml", "--set", "spin.class=all", "--out", "all"]);
+    assert_eq!(code, 0, "{err}");
+    let rows = table(&folder.path().join("all"));
+    let column = |title: &str| rows[0].iter().position(|name| name == title).unwrap();
+    for title in ["spin.class", "class"] {
+        let classes: Vec<&str> = rows[1..].iter().map(|row| row[column(title)].as_str()).collect();
+        assert_eq!(classes, ["00", "01", "10", "11"], "{title}");
+    }
+}

@@ -18,6 +18,9 @@ pub(in crate::cli) struct Inspection {
     mesh: MeshCounts,
     pub frames: Vec<FrameReport>,
     pub checks: Vec<Check>,
+    /// How many frames the film is to have.
+    #[serde(skip)]
+    frame_count: usize,
     /// What the scene asks for.
     #[serde(skip)]
     pub asked: ChecksSection,
@@ -39,7 +42,13 @@ impl Inspection {
         }
         let manifest = film.manifest();
         let checks = checks_of(&manifest.checks, &frames);
-        Ok(Inspection { mesh: manifest.mesh, frames, checks, asked: manifest.checks.clone(), damaged })
+        let (mesh, frame_count, asked) = (manifest.mesh, manifest.frame_count, manifest.checks.clone());
+        Ok(Inspection { mesh, frames, checks, frame_count, asked, damaged })
+    }
+
+    /// Whether all frames of the film are there.
+    pub fn is_whole(&self) -> bool {
+        self.frames.len() == self.frame_count
     }
 
     pub fn write_json(&self, out: &mut impl Write) -> io::Result<()> {

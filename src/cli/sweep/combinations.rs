@@ -2,11 +2,13 @@
 
 use std::collections::BTreeSet;
 
+use serde::{Deserialize, Serialize};
+
 use crate::digest::Digest;
 use crate::scene::split_setting;
 
 /// One run of a sweep.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
 pub(super) struct Run {
     /// The folder of its film among those of the others: what makes it another one than they are.
     pub name: String,

@@ -2,16 +2,19 @@
 
 mod children;
 mod combinations;
+mod kept;
+mod page;
 mod request;
 mod results;
 mod room;
 
-use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use self::children::{Ended, Work, log_of};
 use self::combinations::{Run, combinations};
+use self::kept::Kept;
+use self::page::write_page;
 pub(super) use self::request::Request;
 use self::results::{Row, csv, row_of, write_rows};
 use self::room::room_for;
@@ -19,22 +22,24 @@ use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::process::Session;
 use super::set_up::{folder_of, read_scene};
-use crate::film::{self, DiskError, Tile};
-use crate::scene::Scene;
+use crate::film::{self, DiskError, REPORT, Tile};
+use crate::scene::{Scene, split_setting};
+use crate::spin::Class;
 use crate::whole_file;
 
-/// How long each run took until now, so that one that is gone on with has the time of all.
-const SECONDS: &str = "seconds.json";
 /// More runs are a mistake.
 const MOST_RUNS: usize = 10_000;
+/// The picture of all films.
+pub(super) const POSTER: &str = "sweep.png";
 
-/// Runs them all, those first that are first in the order of the table, and writes `sweep.csv` and `sweep.png`.
+/// Runs them all, those first that are first in the order of the table, and writes `sweep.csv`, `sweep.png` and a page.
 pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
-    let count = combinations::count(request.set);
+    let set = spelled_out(request)?;
+    let count = combinations::count(&set);
     if count > MOST_RUNS {
         return Err(Failure::Sweep(count));
     }
-    let runs = combinations(request.set);
+    let runs = combinations(&set);
     // Nothing begins if one of them has a mistake.
     let scene = |run: &Run| read_scene(request.scene, request.mesh, &run.settings);
     let scenes = runs.iter().map(scene).collect::<Result<Vec<_>, _>>()?;
@@ -44,40 +49,79 @@ pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) 
         None => beside(folder_of(first, request.scene, Path::new("renders"))?),
     };
     session.hold(&folder)?;
+    let has_page = first.output.report;
     let faces = first.surface().map_err(PipelineError::from)?.mesh.face_count();
     let [at_once, threads] = room_for(runs.len(), rayon::current_num_threads(), first, faces);
     session.log.note(format_args!("{} runs, {at_once} at a time", runs.len()));
-    let mut times = Times::of(&folder, request.restart)?;
-    let mut rows = BTreeMap::new();
+    let mut kept = Kept::begin(&folder, &first.name, request.command(), &runs, request.restart)?;
+    let mut ended = 0;
     let mut failed = false;
     let work = Work { request, folder: &folder, at_once, threads };
     work.run(&runs, session, |&Ended { index, code, seconds }| {
-        let run = &runs[index];
-        failed |= code != Some(0);
-        let row = row_of(&folder, run, times.add(run, seconds)?);
-        session.log.note(format_args!("{} of {}: {}: {}", rows.len() + 1, runs.len(), run.name, row.in_words()));
+        (failed, ended) = (failed || code != Some(0), ended + 1);
+        kept.add(&folder, index, seconds)?;
+        let row = row_of(&folder, &kept.runs[index]);
+        session.log.note(format_args!("{ended} of {}: {}: {}", runs.len(), row.run.name, row.in_words()));
         if !matches!(code, Some(0 | 1)) || row.inspection.is_none() {
-            session.log.error(format_args!("{}: it failed; {} says why", run.name, log_of(&folder, run).display()));
+            let log = log_of(&folder, row.run);
+            session.log.error(format_args!("{}: it failed; {} says why", row.run.name, log.display()));
         }
-        rows.insert(index, row);
         Ok(())
     })?;
-    let rows: Vec<Row> = rows.into_values().collect();
+    let rows: Vec<Row> = kept.runs.iter().map(|run| row_of(&folder, run)).collect();
     write(&folder.join("sweep.csv"), csv(&rows).as_bytes())?;
     write_rows(out, &rows)?;
-    let films = rows.iter().zip(scenes).filter(|(row, scene)| row.frames() == scene.clock.frames);
+    if has_page {
+        write_page(&folder, &kept, &rows, session)?;
+    }
+    write_poster(&folder, &rows, scenes, session)?;
+    session.log.finish();
+    let page = if has_page { ", page" } else { "" };
+    writeln!(out, "{}: table{page} and picture written", one_line(&folder.to_string_lossy()))?;
+    if failed { Err(Failure::NotWell) } else { Ok(()) }
+}
+
+/// Writes the page of a sweep anew, of its films as they are; `None` if the folder is not that of one.
+pub(super) fn report_of_sweep(folder: &Path, session: &Session, out: &mut impl Write) -> Option<Result<(), Failure>> {
+    let kept = Kept::of(folder)?;
+    let mut write = || {
+        session.hold(folder)?;
+        let rows: Vec<Row> = kept.runs.iter().map(|run| row_of(folder, run)).collect();
+        write_page(folder, &kept, &rows, session)?;
+        session.log.finish();
+        Ok(writeln!(out, "{}: {REPORT} written", one_line(&folder.to_string_lossy()))?)
+    };
+    Some(write())
+}
+
+/// The last frame of each film that is whole, as one picture.
+fn write_poster(folder: &Path, rows: &[Row], scenes: Vec<Scene>, session: &Session) -> Result<(), PipelineError> {
+    let films = rows.iter().zip(scenes).filter(|(row, _)| row.is_whole());
     let tile = |(row, scene): (&Row, Scene)| Tile {
         scene,
         folder: folder.join(&row.run.name),
         captions: [row.run.name.replace(',', ", "), row.caption()],
     };
     let whole: Vec<Tile> = films.map(tile).collect();
-    let picture = folder.join("sweep.png");
-    film::make_sheet_of_films(&whole, &picture, &mut |event| session.log.pictures(event))
-        .map_err(PipelineError::from)?;
-    session.log.finish();
-    writeln!(out, "{}: table and picture written", one_line(&folder.to_string_lossy()))?;
-    if failed { Err(Failure::NotWell) } else { Ok(()) }
+    let path = folder.join(POSTER);
+    Ok(film::make_sheet_of_films(&whole, &path, &mut |event| session.log.pictures(event))?)
+}
+
+/// What was typed, with `spin.class=all` as the digits of all classes of the surface.
+fn spelled_out(request: &Request) -> Result<Vec<String>, Failure> {
+    let mut set = request.set.to_vec();
+    let asks_for_all = |text: &String| split_setting(text) == Some(("spin.class", "all"));
+    let Some(place) = set.iter().position(asks_for_all) else { return Ok(set) };
+    let Some(first) = combinations(&set).into_iter().next() else { return Ok(set) };
+    let scene = read_scene(request.scene, request.mesh, &first.settings)?;
+    let generators = scene.surface().map_err(PipelineError::from)?.mesh.betti();
+    let count = u32::try_from(generators).ok().and_then(|digits| 1_usize.checked_shl(digits)).unwrap_or(usize::MAX);
+    if count > MOST_RUNS {
+        return Err(Failure::Sweep(count));
+    }
+    let classes: Vec<String> = (0..count).map(|number| Class::of_number(number, generators).to_string()).collect();
+    set[place] = format!("spin.class={}", classes.join(","));
+    Ok(set)
 }
 
 /// The folder of a sweep of a scene whose own film has this one.
@@ -89,32 +133,4 @@ fn beside(folder: PathBuf) -> PathBuf {
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), PipelineError> {
     Ok(whole_file::write_unless_same(path, bytes).map_err(DiskError::io(path, "written"))?)
-}
-
-/// The seconds of each run, by its name.
-struct Times {
-    path: PathBuf,
-    seconds: BTreeMap<String, f64>,
-}
-
-impl Times {
-    /// Those that are kept with a sweep; none if they cannot be read.
-    fn of(folder: &Path, restart: bool) -> Result<Times, PipelineError> {
-        let folder = folder.join(".immerse");
-        whole_file::create_folder(&folder).map_err(DiskError::io(&folder, "written"))?;
-        let path = folder.join(SECONDS);
-        let kept = if restart { None } else { std::fs::read(&path).ok() };
-        let seconds = kept.and_then(|bytes| serde_json::from_slice(&bytes).ok()).unwrap_or_default();
-        Ok(Times { path, seconds })
-    }
-
-    /// Adds to those of a run; returns all of it.
-    fn add(&mut self, run: &Run, seconds: f64) -> Result<f64, PipelineError> {
-        let all = self.seconds.entry(run.name.clone()).or_default();
-        *all += seconds;
-        let all = *all;
-        let text = serde_json::to_vec_pretty(&self.seconds).unwrap_or_default();
-        write(&self.path, &text)?;
-        Ok(all)
-    }
 }

@@ -4,6 +4,7 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use super::combinations::Run;
+use super::kept::KeptRun;
 use crate::cli::results::{Inspection, percent, write_table};
 use crate::evolve::FrameReport;
 use crate::scene::split_setting;
@@ -18,12 +19,12 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    fn last(&self) -> Option<&FrameReport> {
+    pub fn last(&self) -> Option<&FrameReport> {
         self.inspection.as_ref()?.frames.last()
     }
 
     /// Whether all checks of the scene hold: "-" if it states none.
-    fn checks(&self) -> &'static str {
+    pub fn checks(&self) -> &'static str {
         match self.inspection.as_ref().map(|inspection| &inspection.checks) {
             None => "NO",
             Some(checks) if checks.is_empty() => "-",
@@ -32,9 +33,9 @@ impl Row<'_> {
         }
     }
 
-    /// How many frames there are.
-    pub fn frames(&self) -> usize {
-        self.inspection.as_ref().map_or(0, |inspection| inspection.frames.len())
+    /// Whether all of its frames are there.
+    pub fn is_whole(&self) -> bool {
+        self.inspection.as_ref().is_some_and(|inspection| inspection.is_whole())
     }
 
     /// Class and length error, for a picture.
@@ -101,11 +102,11 @@ fn line(cells: impl Iterator<Item = String>) -> String {
     cells.map(quoted).collect::<Vec<_>>().join(",") + "\n"
 }
 
-fn key_of(setting: &str) -> &str {
+pub(super) fn key_of(setting: &str) -> &str {
     split_setting(setting).map_or(setting, |(key, _)| key)
 }
 
-fn value_of(setting: &str) -> &str {
+pub(super) fn value_of(setting: &str) -> &str {
     split_setting(setting).map_or("", |(_, value)| value)
 }
 
@@ -135,6 +136,6 @@ pub(super) fn write_rows(out: &mut impl Write, rows: &[Row]) -> io::Result<()> {
 }
 
 /// Reads the film of a run.
-pub(super) fn row_of<'a>(folder: &Path, run: &'a Run, seconds: f64) -> Row<'a> {
-    Row { run, seconds, inspection: Inspection::of(&folder.join(&run.name)).ok() }
+pub(super) fn row_of<'a>(folder: &Path, KeptRun { run, seconds }: &'a KeptRun) -> Row<'a> {
+    Row { run, seconds: *seconds, inspection: Inspection::of(&folder.join(&run.name)).ok() }
 }

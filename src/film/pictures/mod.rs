@@ -19,6 +19,7 @@ mod shots;
 mod single;
 mod stills;
 mod subject;
+mod trial;
 mod views;
 
 pub use films::{Tile, make_sheet_of_films};
@@ -27,7 +28,9 @@ pub use passes::{Arrivals, Event, Watch};
 pub(super) use passes::{at_a_time, in_order};
 pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
-pub use single::take_picture;
+pub(super) use single::{PREVIEW, small_picture};
+pub use single::{make_preview, take_picture};
 pub(super) use stills::SHEET;
 pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};
+pub use trial::{PictureCost, try_a_picture};
 pub(super) use views::Views;

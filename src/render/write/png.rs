@@ -34,6 +34,14 @@ impl Picture {
         write_whole(path, &bytes)
     }
 
+    /// The bytes of what [`Picture::write_png`] writes.
+    ///
+    /// # Errors
+    /// [`RenderError::Write`] if the picture cannot be encoded.
+    pub fn to_png(&self, style: Png, metadata: &Metadata) -> Result<Vec<u8>, RenderError> {
+        self.png_bytes(style, metadata).map_err(|error| write_error(Path::new("a picture in memory"), error))
+    }
+
     fn png_bytes(&self, style: Png, metadata: &Metadata) -> Result<Vec<u8>, EncodingError> {
         let side = |pixels: usize| {
             u32::try_from(pixels).map_err(|_| EncodingError::from(io::Error::from(io::ErrorKind::FileTooLarge)))

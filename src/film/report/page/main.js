@@ -27,13 +27,7 @@ async function main() {
     "Keys: Space plays, ← → go from frame to frame, Home and End to the ends, Shift with arrows turns, + − come closer and away, R resets the view, " +
     "C changes the colour, T see-through, O outlines, I self-intersections, U rims, M mesh, F the whole screen.")));
   addEventListener("keydown", (event) => viewer.key(event));
-  // On paper all is open that can be opened.
-  let closed = [];
-  addEventListener("beforeprint", () => {
-    closed = [...document.querySelectorAll("details:not([open])")];
-    closed.forEach((details) => { details.open = true; });
-  });
-  addEventListener("afterprint", () => closed.forEach((details) => { details.open = false; }));
+  openOnPaper();
   page.dataset.ready = "yes";
   globalThis.viewer = viewer; // for those who look behind the page
 }

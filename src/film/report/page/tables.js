@@ -1,35 +1,4 @@
-// Tables, and what is said in words.
-
-/** A table whose columns sort it, if that says anything. A cell is a text, or a number with its text. */
-function table(head, rows, { sorts = rows.length > 1, caption = null } = {}) {
-  const body = make("tbody");
-  const value = (cell) => (Array.isArray(cell) ? cell[0] : cell);
-  const text = (cell) => (Array.isArray(cell) ? cell[1] : cell ?? "–");
-  const fill = (list) => body.replaceChildren(...list.map((row) => make("tr", { class: row.mark },
-    row.cells.map((cell) => make("td", { class: typeof value(cell) === "number" ? "number" : null }, text(cell) instanceof Node ? text(cell) : String(text(cell)))))));
-  const list = rows.map((row) => (Array.isArray(row) ? { cells: row } : row));
-  fill(list);
-  const heads = head.map((name, k) => {
-    const isNumber = typeof value(list[0]?.cells[k]) === "number";
-    const cell = make("th", { scope: "col", class: isNumber ? "number" : null }, name);
-    if (!sorts) return cell;
-    const order = () => {
-      const down = cell.getAttribute("aria-sort") === "ascending";
-      heads.forEach((other) => other.removeAttribute("aria-sort"));
-      cell.setAttribute("aria-sort", down ? "descending" : "ascending");
-      const compare = (a, b) => {
-        const [x, y] = [value(a.cells[k]), value(b.cells[k])];
-        return typeof x === "number" && typeof y === "number" ? x - y : String(x).localeCompare(String(y), "en", { numeric: true });
-      };
-      fill([...list].sort((a, b) => (down ? -compare(a, b) : compare(a, b))));
-    };
-    cell.tabIndex = 0;
-    cell.addEventListener("click", order);
-    cell.addEventListener("keydown", (event) => { if (event.key === "Enter" || event.key === " ") { event.preventDefault(); order(); } });
-    return cell;
-  });
-  return make("div", { class: "scroll" }, make("table", {}, caption && make("caption", {}, caption), make("thead", {}, make("tr", {}, heads)), body));
-}
+// Tables of a film, and what is said in words.
 
 /** What is wrong, first of all; or that all is well. */
 function findings() {
@@ -138,9 +107,6 @@ function eventTable(list, viewer) {
 function scene() {
   const { command } = facts.findings;
   const { text, origin } = facts;
-  const copy = (what) => make("button", { type: "button", class: "copy", onclick: (event) => {
-    navigator.clipboard?.writeText(what).then(() => { event.target.textContent = "copied"; }, () => { event.target.textContent = "select it and copy"; });
-  } }, "copy");
   const section = make("section", { class: "scene" }, make("h2", {}, "The scene"),
     make("p", {}, "This command makes the film again, with the same bits on any number of threads, from the scene below in a file of that name:"),
     make("div", { class: "command" }, make("code", {}, command), copy(command)));

@@ -66,3 +66,20 @@ function css(linear) {
   };
   return `rgb(${linear.map(byte).join(" ")})`;
 }
+
+/** A button that copies a text. */
+function copy(what) {
+  return make("button", { type: "button", class: "copy", onclick: (event) => {
+    navigator.clipboard?.writeText(what).then(() => { event.target.textContent = "copied"; }, () => { event.target.textContent = "select it and copy"; });
+  } }, "copy");
+}
+
+/** On paper all is open that can be opened. */
+function openOnPaper() {
+  let closed = [];
+  addEventListener("beforeprint", () => {
+    closed = [...document.querySelectorAll("details:not([open])")];
+    closed.forEach((details) => { details.open = true; });
+  });
+  addEventListener("afterprint", () => closed.forEach((details) => { details.open = false; }));
+}
