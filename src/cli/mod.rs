@@ -10,6 +10,7 @@ mod commands;
 mod diagnostics;
 mod export;
 mod failure;
+mod farm;
 mod frame_range;
 mod gallery;
 mod leftovers;

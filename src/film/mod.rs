@@ -22,6 +22,6 @@ pub use export::{EXPORTER, Exported, export};
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures};
 pub use pictures::{
     Arrivals, Event, Pictured, Plan, RENDERER, Tile, Watch, make_look_sheet, make_pictures, make_pictures_of_arrivals,
-    make_poster, make_sheet_of_films, take_picture,
+    make_poster, make_sheet_of_films, make_stills_beside_others, take_picture,
 };
 pub use report::{Finding, Findings, REPORT, REPORTER, Reported, report};

@@ -11,38 +11,25 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use self::children::{Ended, Work, log_of};
-use self::combinations::{Run, combinations};
+use self::combinations::Run;
 pub(super) use self::request::Request;
 use self::results::{Row, csv, row_of, write_rows};
 use self::room::room_for;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::process::Session;
-use super::set_up::{folder_of, read_scene};
 use crate::film::{self, DiskError, Tile};
 use crate::scene::Scene;
 use crate::whole_file;
 
 /// How long each run took until now, so that one that is gone on with has the time of all.
 const SECONDS: &str = "seconds.json";
-/// More runs are a mistake.
-const MOST_RUNS: usize = 10_000;
 
 /// Runs them all, those first that are first in the order of the table, and writes `sweep.csv` and `sweep.png`.
 pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
-    let count = combinations::count(request.set);
-    if count > MOST_RUNS {
-        return Err(Failure::Sweep(count));
-    }
-    let runs = combinations(request.set);
-    // Nothing begins if one of them has a mistake.
-    let scene = |run: &Run| read_scene(request.scene, request.mesh, &run.settings);
-    let scenes = runs.iter().map(scene).collect::<Result<Vec<_>, _>>()?;
+    let (runs, scenes) = request.runs()?;
     let Some(first) = scenes.first() else { return Ok(()) };
-    let folder = match request.out {
-        Some(folder) => folder.to_owned(),
-        None => beside(folder_of(first, request.scene, Path::new("renders"))?),
-    };
+    let folder = request.folder(first)?;
     session.hold(&folder)?;
     let faces = first.surface().map_err(PipelineError::from)?.mesh.face_count();
     let [at_once, threads] = room_for(runs.len(), rayon::current_num_threads(), first, faces);
@@ -78,13 +65,6 @@ pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) 
     session.log.finish();
     writeln!(out, "{}: table and picture written", one_line(&folder.to_string_lossy()))?;
     if failed { Err(Failure::NotWell) } else { Ok(()) }
-}
-
-/// The folder of a sweep of a scene whose own film has this one.
-fn beside(folder: PathBuf) -> PathBuf {
-    let mut name = folder.into_os_string();
-    name.push(".sweep");
-    PathBuf::from(name)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), PipelineError> {

@@ -29,5 +29,5 @@ pub use plan::Plan;
 pub use sheets::{make_look_sheet, make_poster};
 pub use single::take_picture;
 pub(super) use stills::SHEET;
-pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};
+pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals, make_stills_beside_others};
 pub(super) use views::Views;
