@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+use super::farm::Engine;
 use super::frame_range::FrameRange;
 use super::names::one_of;
 use super::picture_options::PictureOptions;
@@ -64,6 +65,9 @@ pub(super) enum Command {
         /// Make all pictures anew
         #[arg(long)]
         restart: bool,
+        /// Make stills beside others that do the same with other --frames, and nothing else; `run` then puts all together
+        #[arg(long, conflicts_with = "restart")]
+        share: bool,
         #[command(flatten)]
         pictures: PictureOptions,
     },
@@ -101,6 +105,17 @@ pub(super) enum Command {
         /// Begin all films anew
         #[arg(long)]
         restart: bool,
+    },
+    /// Write job files that make a film on a farm, or with several values in --set a sweep, into DIR/farm
+    Farm {
+        #[command(flatten)]
+        film: Film,
+        /// What the job files are for
+        #[arg(long, value_name = "ENGINE")]
+        engine: Engine,
+        /// Which frames become pictures, as in 1-20,30-240:4 [default: all]
+        #[arg(long, value_name = "RANGE")]
+        frames: Option<FrameRange>,
     },
     /// Validate a scene and all it names, and touch nothing
     Check {
@@ -172,6 +187,7 @@ impl Command {
                 | Command::Render { .. }
                 | Command::Gallery { .. }
                 | Command::Sweep { .. }
+                | Command::Farm { .. }
                 | Command::Export { .. }
                 | Command::Report { .. }
         )

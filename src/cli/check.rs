@@ -1,7 +1,6 @@
 //! What is worth saying of a scene before anything is computed.
 
 use super::failure::PipelineError;
-use super::forecast::forecast;
 use super::progress::Log;
 use super::selections::selection_notes;
 use super::set_up::{SetUp, contradictions, frame_keys};
@@ -11,8 +10,7 @@ use crate::mesh::{longest_loops, outer_loops};
 use crate::scene::{Scene, SpinSection, clock_of, phases_as_text};
 use crate::spin::{Class, SpinError};
 
-/// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs, and what a run will
-/// take.
+/// Validates everything the scene names, without writing. Returns what is worth saying: sizes, generators, repairs.
 pub(super) fn check(scene: &Scene, log: &Log) -> Result<Vec<String>, PipelineError> {
     let SetUp { mut simulation, places, notes: of_mesh } = SetUp::of(scene)?;
     frame_keys(scene, &mut simulation)?;
@@ -57,8 +55,6 @@ pub(super) fn check(scene: &Scene, log: &Log) -> Result<Vec<String>, PipelineErr
     notes.extend(of_mesh);
     notes.push(format!("pictures of {width} x {height} pixels"));
     notes.extend(plan.notes());
-    drop(simulation);
-    notes.extend(forecast(scene)?);
     Ok(notes)
 }
 

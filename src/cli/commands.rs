@@ -12,6 +12,8 @@ use super::check;
 use super::diagnostics::one_line;
 use super::export::{self, Request, export};
 use super::failure::{Failure, PipelineError};
+use super::farm::farm;
+use super::forecast::forecast;
 use super::gallery::gallery;
 use super::leftovers::clear_leftovers;
 use super::picture_options::PictureOptions;
@@ -90,9 +92,7 @@ fn what_is_kept(kept: Kept, restarts: bool) -> String {
 
 /// Does what is asked for, in as many threads.
 fn execute(arguments: &Arguments, session: &Session) -> Result<(), Failure> {
-    if let Some(warning) = make_pool(arguments.threads)? {
-        session.log.warning(warning);
-    }
+    make_pool(arguments.threads)?.into_iter().for_each(|warning| session.log.warning(warning));
     let mut out = Answers::new();
     let outcome = obey(&arguments.command, session, &mut out);
     let written = out.end().map_err(Failure::from);
@@ -121,21 +121,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             say_verdict(&inspection, &scene, &session.log);
             Ok(())
         }
-        Command::Render { film, restart, pictures } => {
-            let (mut scene, folder) = open(film)?;
-            let frames = pictures.apply(&mut scene)?;
-            // Nothing is begun for a picture that cannot be made, or where there is no film.
-            Plan::of(&scene).map_err(PipelineError::from)?;
-            FilmFolder::open(&folder).map_err(PipelineError::from)?;
-            session.hold(&folder)?;
-            if *restart {
-                film::forget_pictures(&folder).map_err(PipelineError::from)?;
-            }
-            let summary = pipeline::render_frames(&scene, &folder, &frames, session)?;
-            session.log.finish();
-            clear_leftovers(&folder, Some(&scene.output), false, &session.log)?;
-            Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
-        }
+        Command::Render { film, restart, share, pictures } => render(film, *restart, *share, pictures, session, out),
         Command::Gallery { scenes, out: folder, work, restart, settings } => {
             gallery(scenes, folder, work, *restart, &settings.set, session, out)
         }
@@ -143,10 +129,17 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             let (mesh, folder) = (mesh.as_deref(), folder.as_deref());
             sweep(&sweep::Request { scene, mesh, set, out: folder, restart: *restart }, session, out)
         }
+        Command::Farm { film: Film { scene, out: folder }, engine, frames } => {
+            let (mesh, folder) = (scene.mesh.as_deref(), folder.as_deref());
+            let what =
+                sweep::Request { scene: &scene.path, mesh, set: &scene.settings.set, out: folder, restart: false };
+            farm(&what, *engine, frames.as_ref(), session, out)
+        }
         Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
         Command::Check { scene: file, phases: false } => {
             let scene = read(file)?;
-            for note in check::check(&scene, &session.log)? {
+            let notes = check::check(&scene, &session.log)?;
+            for note in notes.into_iter().chain(forecast(&scene)?) {
                 writeln!(out, "{note}")?;
             }
             Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)
@@ -217,6 +210,36 @@ fn run(
     out.flush()?;
     say_verdict(&inspection, &scene, &session.log);
     all_is_well(&inspection, &session.log)
+}
+
+fn render(
+    film: &Film,
+    restart: bool,
+    share: bool,
+    pictures: &PictureOptions,
+    session: &Session,
+    out: &mut impl Write,
+) -> Result<(), Failure> {
+    let (mut scene, folder) = open(film)?;
+    let frames = pictures.apply(&mut scene)?;
+    // Nothing is begun for a picture that cannot be made, or where there is no film.
+    Plan::of(&scene).map_err(PipelineError::from)?;
+    FilmFolder::open(&folder).map_err(PipelineError::from)?;
+    let summary = if share {
+        session.share(&folder)?;
+        pipeline::render_beside_others(&scene, &folder, &frames, session)?
+    } else {
+        session.hold(&folder)?;
+        if restart {
+            film::forget_pictures(&folder).map_err(PipelineError::from)?;
+        }
+        pipeline::render_frames(&scene, &folder, &frames, session)?
+    };
+    session.log.finish();
+    if !share {
+        clear_leftovers(&folder, Some(&scene.output), false, &session.log)?;
+    }
+    Ok(writeln!(out, "{}", sentence("pictures made", summary, &folder))?)
 }
 
 /// Writes the whole film in the formats that the scene names.

@@ -71,6 +71,8 @@ pub(super) enum Failure {
     Name { path: PathBuf },
     #[error("--set: {0} runs are more than a sweep has; name fewer values")]
     Sweep(usize),
+    #[error("job files cannot be written: {0}")]
+    Farm(String),
     /// By a signal.
     #[error("interrupted by signal {signal}; run it again")]
     Interrupted { signal: u8 },
@@ -104,6 +106,7 @@ impl Failure {
             | Failure::Folder { .. }
             | Failure::Name { .. }
             | Failure::Sweep(_)
+            | Failure::Farm(_)
             | Failure::Threads(_) => INPUT,
             Failure::Interrupted { signal } => SIGNAL + signal,
         }

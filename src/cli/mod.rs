@@ -10,6 +10,7 @@ mod commands;
 mod diagnostics;
 mod export;
 mod failure;
+mod farm;
 mod forecast;
 mod frame_range;
 mod gallery;
@@ -24,6 +25,7 @@ mod report;
 mod results;
 mod selections;
 mod set_up;
+mod shell;
 mod sweep;
 
 pub use commands::main;

@@ -262,6 +262,22 @@ pub(super) fn render_frames(
     Ok(film::make_pictures_of_arrivals(scene, folder, frames, &arrivals, watch)?.into())
 }
 
+/// As [`render_frames`], beside others that do the same with other frames. The film is left as it is: it must be the one of the
+/// scene already.
+pub(super) fn render_beside_others(
+    scene: &Scene,
+    folder: &Path,
+    frames: &[usize],
+    session: &Session,
+) -> Result<Summary, PipelineError> {
+    if !FilmFolder::open(folder)?.manifest().is_of(scene) {
+        return Err(DiskError::Changed { path: folder.to_owned() }.into());
+    }
+    let arrivals = Arrivals::over().unless(session.signals.flag());
+    let watch = &mut |event| session.log.pictures(event);
+    Ok(film::make_stills_beside_others(scene, folder, frames, &arrivals, watch)?.into())
+}
+
 /// Simulates a scene where it was not, and makes one picture that shows its film as a whole.
 pub(super) fn poster(
     scene: &Scene,

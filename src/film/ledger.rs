@@ -4,6 +4,10 @@
 //! Each line names a file, the key of all that it was made of, the key of the frames that it shows, and its checksum, after a
 //! checksum of the line itself. Lines are appended as files appear, and the last one of a file holds; a line that is not as
 //! it was written counts for nothing, and its file is made again. In the end the lines are put in order, so that the file has the same bytes however often a run was interrupted.
+//!
+//! Of several programs that make pictures of a film at the same time, each enters them into a part of its own,
+//! `.immerse/pictures.000031.jsonl`, called by its first frame. Whoever is alone in the folder then reads all parts, and puts them
+//! into the one ledger.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -23,6 +27,8 @@ pub(super) struct Ledger {
     folder: PathBuf,
     /// Where it is there.
     name: &'static str,
+    /// The part that files are entered into; `None` for the ledger itself.
+    part: Option<PathBuf>,
     pages: Mutex<Pages>,
 }
 
@@ -82,7 +88,10 @@ fn crc_of(name: &str, body: &[u8]) -> String {
 }
 
 /// Where it is in the folder of a film.
-pub(super) const LEDGER: &str = ".immerse/pictures.jsonl";
+const LEDGER: &str = ".immerse/pictures.jsonl";
+/// Where its parts are, and how they are called around a number.
+const PARTS: &str = ".immerse";
+const PART: [&str; 2] = ["pictures.", ".jsonl"];
 /// Where that of exports is in the folder they are in.
 pub(super) const EXPORTS: &str = ".immerse/exports.jsonl";
 
@@ -95,7 +104,29 @@ impl Ledger {
     /// # Errors
     /// [`FilmError::Render`] if it is there and cannot be read.
     pub fn open(folder: &Path) -> Result<Ledger, FilmError> {
-        Ledger::named(folder, LEDGER)
+        let ledger = Ledger::named(folder, LEDGER)?;
+        for part in parts(folder)? {
+            ledger.pages().entries.extend(entries(&part, LEDGER)?);
+        }
+        Ok(ledger)
+    }
+
+    /// As [`Ledger::open`], to enter pictures from this frame on while others enter theirs elsewhere.
+    ///
+    /// # Errors
+    /// As [`Ledger::open`].
+    pub fn open_part(folder: &Path, first_frame: usize) -> Result<Ledger, FilmError> {
+        let [before, after] = PART;
+        let part = folder.join(PARTS).join(format!("{before}{first_frame:06}{after}"));
+        Ok(Ledger { part: Some(part), ..Ledger::open(folder)? })
+    }
+
+    /// Removes the ledger of the pictures in a folder.
+    ///
+    /// # Errors
+    /// [`FilmError::Render`] if it cannot be removed.
+    pub fn forget(folder: &Path) -> Result<(), FilmError> {
+        parts(folder)?.into_iter().chain([folder.join(LEDGER)]).try_for_each(|path| remove(&path))
     }
 
     /// Of the exports in a folder.
@@ -115,17 +146,8 @@ impl Ledger {
     }
 
     fn named(folder: &Path, name: &'static str) -> Result<Ledger, FilmError> {
-        let path = folder.join(name);
-        let bytes = match fs::read(&path) {
-            Ok(bytes) => bytes,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
-            Err(error) => return Err(FilmError::read(&path, error)),
-        };
-        let whole_lines = bytes.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
-        let lines = whole_lines.filter_map(|line| Line::read(line, name));
-        let entries =
-            lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect();
-        Ok(Ledger { folder: folder.to_owned(), name, pages: Mutex::new(Pages { entries, log: None }) })
+        let entries = entries(&folder.join(name), name)?;
+        Ok(Ledger { folder: folder.to_owned(), name, part: None, pages: Mutex::new(Pages { entries, log: None }) })
     }
 
     /// The bytes of a file that was made of what has this key, if it is there and whole.
@@ -158,7 +180,7 @@ impl Ledger {
     pub fn enter(&self, file: &str, key: Key, shows: Key) -> Result<(), FilmError> {
         let made = self.folder.join(file);
         let sha256 = key_of_file(&made).map_err(|error| FilmError::read(&made, error))?;
-        let path = self.folder.join(self.name);
+        let path = self.part.clone().unwrap_or_else(|| self.folder.join(self.name));
         let mut pages = self.pages();
         let written = pages.append(&path, self.name, &Line { file: file.into(), key, shows, sha256 });
         written.map_err(|error| FilmError::write(&path, error))?;
@@ -166,14 +188,18 @@ impl Ledger {
         Ok(())
     }
 
-    /// Puts the entries in order and leaves out those of files that are gone. Without any there is no ledger.
+    /// Puts the entries in order, those of all parts too, and leaves out those of files that are gone. Without any there is no
+    /// ledger. A part stays as it is.
     ///
     /// # Errors
     /// [`FilmError::Render`] if the ledger cannot be written.
     pub fn close(self) -> Result<(), FilmError> {
-        let Ledger { folder, name, pages } = self;
+        let Ledger { folder, name, part, pages } = self;
         let Pages { mut entries, log } = pages.into_inner().unwrap_or_else(PoisonError::into_inner);
         drop(log);
+        if part.is_some() {
+            return Ok(());
+        }
         entries.retain(|file, _| folder.join(file).is_file());
         let path = folder.join(name);
         let mut bytes = Vec::new();
@@ -185,12 +211,48 @@ impl Ledger {
             true => whole_file::remove(&path),
             false => whole_file::write_unless_same(&path, &bytes),
         };
-        written.map_err(|error| FilmError::write(&path, error))
+        written.map_err(|error| FilmError::write(&path, error))?;
+        if name == LEDGER { parts(&folder)?.iter().try_for_each(|part| remove(part)) } else { Ok(()) }
     }
 
     fn pages(&self) -> std::sync::MutexGuard<'_, Pages> {
         self.pages.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// The entries of a ledger or a part of it, whose lines are those of a ledger of this name; none if it is not there.
+fn entries(path: &Path, name: &str) -> Result<BTreeMap<String, Entry>, FilmError> {
+    let bytes = match fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+        Err(error) => return Err(FilmError::read(path, error)),
+    };
+    let whole_lines = bytes.split_inclusive(|&byte| byte == b'\n').filter(|line| line.ends_with(b"\n"));
+    let lines = whole_lines.filter_map(|line| Line::read(line, name));
+    Ok(lines.map(|Line { file, key, shows, sha256 }| (file.into_owned(), Entry { key, shows, sha256 })).collect())
+}
+
+/// The parts of the ledger of pictures in a folder, in order.
+fn parts(folder: &Path) -> Result<Vec<PathBuf>, FilmError> {
+    let folder = folder.join(PARTS);
+    let names = match fs::read_dir(&folder) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        names => names.and_then(|names| names.map(|entry| Ok(entry?.file_name())).collect::<io::Result<Vec<_>>>()),
+    };
+    let [before, after] = PART;
+    let is_part = |name: &str| {
+        let number = name.strip_prefix(before).and_then(|rest| rest.strip_suffix(after));
+        number.is_some_and(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+    };
+    let names = names.map_err(|error| FilmError::read(&folder, error))?;
+    let mut parts: Vec<PathBuf> =
+        names.iter().filter(|name| name.to_str().is_some_and(is_part)).map(|name| folder.join(name)).collect();
+    parts.sort();
+    Ok(parts)
+}
+
+fn remove(path: &Path) -> Result<(), FilmError> {
+    whole_file::remove(path).map_err(|error| FilmError::write(path, error))
 }
 
 fn key_of_file(path: &Path) -> io::Result<Key> {

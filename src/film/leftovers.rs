@@ -9,7 +9,7 @@ use std::{
 use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
-use super::ledger::{LEDGER, Ledger, PAGE};
+use super::ledger::{Ledger, PAGE};
 use super::pictures::{PREVIEW, SHEET};
 use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
@@ -81,7 +81,7 @@ pub fn clear_film(folder: &Path) -> Result<(), FilmError> {
 /// # Errors
 /// [`FilmError::Render`] if the list cannot be removed.
 pub fn forget_pictures(folder: &Path) -> Result<(), FilmError> {
-    remove(&folder.join(LEDGER))
+    Ledger::forget(folder)
 }
 
 /// Removes the picture of the newest frame of an earlier run, which soon will show no frame of the film.

@@ -22,6 +22,7 @@ pub use export::{EXPORTER, Exported, export};
 pub use leftovers::{Leftovers, clear_film, clear_leftovers, forget_pictures, forget_preview};
 pub use pictures::{
     Arrivals, Event, PictureCost, Pictured, Plan, RENDERER, Tile, Watch, make_look_sheet, make_pictures,
-    make_pictures_of_arrivals, make_poster, make_preview, make_sheet_of_films, take_picture, try_a_picture,
+    make_pictures_of_arrivals, make_poster, make_preview, make_sheet_of_films, make_stills_beside_others, take_picture,
+    try_a_picture,
 };
 pub use report::{FilmRow, FilmTable, Finding, Findings, REPORT, REPORTER, Reported, report, report_films};

@@ -15,6 +15,7 @@ mod command_line;
 mod curves;
 mod edited;
 mod exported;
+mod farm;
 mod frame_range;
 mod frame_rates;
 mod hostile;

@@ -18,6 +18,9 @@ pub(in crate::cli) struct Session {
     locks: Mutex<Vec<FolderLock>>,
 }
 
+/// How a lock is taken.
+type TryTake = fn(&Path, &str) -> Result<FolderLock, DiskError>;
+
 /// How long one waits for a folder. Two runs in one folder are mostly a mistake, but one of them may be about to end.
 const PATIENCE: Duration = Duration::from_secs(5);
 const BETWEEN_TRIES: Duration = Duration::from_millis(50);
@@ -33,10 +36,22 @@ impl Session {
     /// [`DiskError::Busy`] if somebody else is still there after a while, [`Failure::Interrupted`], other errors of
     /// [`FolderLock::try_take`].
     pub fn hold(&self, folder: &Path) -> Result<(), Failure> {
+        self.wait_for(folder, FolderLock::try_take)
+    }
+
+    /// Keeps others out of a folder but those who share it, too.
+    ///
+    /// # Errors
+    /// As [`Session::hold`].
+    pub fn share(&self, folder: &Path) -> Result<(), Failure> {
+        self.wait_for(folder, FolderLock::try_share)
+    }
+
+    fn wait_for(&self, folder: &Path, take: TryTake) -> Result<(), Failure> {
         let began = Instant::now();
         let mut has_said_so = false;
         loop {
-            match FolderLock::try_take(folder, &command_line()) {
+            match take(folder, &command_line()) {
                 Err(DiskError::Busy { holder, .. }) if began.elapsed() < PATIENCE => {
                     if !has_said_so {
                         let (folder, seconds) = (folder.display(), PATIENCE.as_secs());

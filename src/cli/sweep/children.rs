@@ -82,14 +82,8 @@ impl Work<'_> {
         fs::create_dir_all(self.folder)?;
         let log = File::create(log_of(self.folder, run))?;
         let mut command = Command::new(std::env::current_exe()?);
-        command.arg("run").arg(self.request.scene).arg("--out").arg(self.folder.join(&run.name));
+        command.arg("run").args(self.request.scene_of(&run.settings)).arg("--out").arg(self.folder.join(&run.name));
         command.arg("--quiet").arg("--threads").arg(self.threads.to_string());
-        run.settings.iter().for_each(|setting| {
-            command.arg("--set").arg(setting);
-        });
-        if let Some(mesh) = self.request.mesh {
-            command.arg("--mesh").arg(mesh);
-        }
         if self.request.restart {
             command.arg("--restart");
         }

@@ -9,7 +9,7 @@ use crate::scene::split_setting;
 
 /// One run of a sweep.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, Serialize)]
-pub(super) struct Run {
+pub(in crate::cli) struct Run {
     /// The folder of its film among those of the others: what makes it another one than they are.
     pub name: String,
     /// Keys and their values, as they are typed after `--set`.

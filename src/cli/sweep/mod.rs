@@ -9,10 +9,9 @@ mod results;
 mod room;
 
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use self::children::{Ended, Work, log_of};
-use self::combinations::{Run, combinations};
 use self::kept::Kept;
 use self::page::write_page;
 pub(super) use self::request::Request;
@@ -21,39 +20,24 @@ use self::room::room_for;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::process::Session;
-use super::set_up::{folder_of, read_scene};
 use crate::film::{self, DiskError, REPORT, Tile};
-use crate::scene::{Scene, split_setting};
-use crate::spin::Class;
+use crate::scene::Scene;
 use crate::whole_file;
 
-/// More runs are a mistake.
-const MOST_RUNS: usize = 10_000;
 /// The picture of all films.
 pub(super) const POSTER: &str = "sweep.png";
 
 /// Runs them all, those first that are first in the order of the table, and writes `sweep.csv`, `sweep.png` and a page.
 pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
-    let set = spelled_out(request)?;
-    let count = combinations::count(&set);
-    if count > MOST_RUNS {
-        return Err(Failure::Sweep(count));
-    }
-    let runs = combinations(&set);
-    // Nothing begins if one of them has a mistake.
-    let scene = |run: &Run| read_scene(request.scene, request.mesh, &run.settings);
-    let scenes = runs.iter().map(scene).collect::<Result<Vec<_>, _>>()?;
+    let (runs, scenes) = request.runs()?;
     let Some(first) = scenes.first() else { return Ok(()) };
-    let folder = match request.out {
-        Some(folder) => folder.to_owned(),
-        None => beside(folder_of(first, request.scene, Path::new("renders"))?),
-    };
+    let folder = request.folder(first)?;
     session.hold(&folder)?;
     let has_page = first.output.report;
     let faces = first.surface().map_err(PipelineError::from)?.mesh.face_count();
     let [at_once, threads] = room_for(runs.len(), rayon::current_num_threads(), first, faces);
     session.log.note(format_args!("{} runs, {at_once} at a time", runs.len()));
-    let mut kept = Kept::begin(&folder, &first.name, request.command(), &runs, request.restart)?;
+    let mut kept = Kept::begin(&folder, &first.name, request.command(&first.name), &runs, request.restart)?;
     let mut ended = 0;
     let mut failed = false;
     let work = Work { request, folder: &folder, at_once, threads };
@@ -105,30 +89,6 @@ fn write_poster(folder: &Path, rows: &[Row], scenes: Vec<Scene>, session: &Sessi
     let whole: Vec<Tile> = films.map(tile).collect();
     let path = folder.join(POSTER);
     Ok(film::make_sheet_of_films(&whole, &path, &mut |event| session.log.pictures(event))?)
-}
-
-/// What was typed, with `spin.class=all` as the digits of all classes of the surface.
-fn spelled_out(request: &Request) -> Result<Vec<String>, Failure> {
-    let mut set = request.set.to_vec();
-    let asks_for_all = |text: &String| split_setting(text) == Some(("spin.class", "all"));
-    let Some(place) = set.iter().position(asks_for_all) else { return Ok(set) };
-    let Some(first) = combinations(&set).into_iter().next() else { return Ok(set) };
-    let scene = read_scene(request.scene, request.mesh, &first.settings)?;
-    let generators = scene.surface().map_err(PipelineError::from)?.mesh.betti();
-    let count = u32::try_from(generators).ok().and_then(|digits| 1_usize.checked_shl(digits)).unwrap_or(usize::MAX);
-    if count > MOST_RUNS {
-        return Err(Failure::Sweep(count));
-    }
-    let classes: Vec<String> = (0..count).map(|number| Class::of_number(number, generators).to_string()).collect();
-    set[place] = format!("spin.class={}", classes.join(","));
-    Ok(set)
-}
-
-/// The folder of a sweep of a scene whose own film has this one.
-fn beside(folder: PathBuf) -> PathBuf {
-    let mut name = folder.into_os_string();
-    name.push(".sweep");
-    PathBuf::from(name)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> Result<(), PipelineError> {

@@ -41,6 +41,12 @@ pub enum DiskError {
         /// What it holds, in words.
         found: String,
     },
+    /// The folder holds no film of the scene as it is now.
+    #[error("{}: this folder does not hold the film of the scene as it is now; {}", path.display(), self.remedy())]
+    Changed {
+        /// The folder.
+        path: PathBuf,
+    },
     /// Another version of the program wrote it.
     #[error("{}: it has format {found}, this program reads format {FORMAT}; {}", path.display(), self.remedy())]
     Version {
@@ -107,6 +113,7 @@ impl Advice for DiskError {
             DiskError::OtherScene { .. } => {
                 "name another folder with --out, or pass --restart to begin anew there".into()
             }
+            DiskError::Changed { .. } => "run `immerse simulate` first, with the same scene and --set".into(),
             DiskError::Version { .. } => "use the program that wrote it, or pass --restart to begin anew".into(),
             DiskError::Missing { .. } => "simulate it first".into(),
             DiskError::Stale { .. } => "run `immerse simulate` again, which computes it anew".into(),

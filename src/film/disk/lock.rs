@@ -1,4 +1,4 @@
-//! One writer at a time in a folder.
+//! One writer at a time in a folder, or several who share it.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, Write};
@@ -17,13 +17,15 @@ const LONGEST: u64 = 1000;
 /// How often a folder may go or a file be another one between two calls of the system.
 const TRIES: usize = 100;
 
-/// While it lives, nobody else who asks for it writes into a folder. The system frees the lock of a program that is
-/// killed; a file that it leaves is in nobody's way.
+/// While it lives, nobody else who asks for it writes into a folder, but those who share it with this one. The system frees
+/// the lock of a program that is killed; a file that it leaves is in nobody's way.
 #[derive(Debug)]
 pub struct FolderLock {
     folder: PathBuf,
     /// `None` on file systems that know no locks.
     file: Option<File>,
+    /// Whether others may have it at the same time.
+    is_shared: bool,
     /// Folders that were made for it, the outermost first; if nothing comes to be in them they go again.
     created: Vec<PathBuf>,
 }
@@ -36,10 +38,23 @@ impl FolderLock {
     /// [`DiskError::Busy`] if somebody else has it, [`DiskError::NotAFolder`], [`DiskError::LeadsOut`] if what is written
     /// into the folder would land elsewhere, [`DiskError::Io`]. Then nothing has been changed.
     pub fn try_take(folder: &Path, work: &str) -> Result<FolderLock, DiskError> {
+        FolderLock::take(folder, work, false)
+    }
+
+    /// As [`FolderLock::try_take`], beside others who share the folder and see to it themselves that no two of them write
+    /// the same file in different ways. What is unfinished may be theirs, and is removed by the last one who goes.
+    ///
+    /// # Errors
+    /// As [`FolderLock::try_take`].
+    pub fn try_share(folder: &Path, work: &str) -> Result<FolderLock, DiskError> {
+        FolderLock::take(folder, work, true)
+    }
+
+    fn take(folder: &Path, work: &str, is_shared: bool) -> Result<FolderLock, DiskError> {
         if folder.is_file() {
             return Err(DiskError::not_a_folder(folder));
         }
-        let mut lock = FolderLock { folder: folder.to_owned(), file: None, created: Vec::new() };
+        let mut lock = FolderLock { folder: folder.to_owned(), file: None, is_shared, created: Vec::new() };
         let path = folder.join(NAME);
         for _ in 0..TRIES {
             lock.created.extend(whole_file::create_folder(folder).map_err(DiskError::io(folder, "created"))?);
@@ -49,12 +64,14 @@ impl FolderLock {
                 Err(error) if error.kind() == io::ErrorKind::NotFound => continue,
                 opened => opened.map_err(DiskError::io(&path, "written"))?,
             };
-            match file.try_lock() {
+            match if is_shared { file.try_lock_shared() } else { file.try_lock() } {
                 Ok(()) if is_at(&file, &path) => {
-                    // It is only there to be read by people.
+                    // It is only there to be read by people; of those who share it, it names the last one who came.
                     let _ = file.set_len(0).and_then(|()| file.write_all(holder(work).as_bytes()));
                     lock.file = Some(file);
-                    lock.sweep();
+                    if !is_shared {
+                        lock.sweep();
+                    }
                     return Ok(lock);
                 }
                 // The one before us has removed it meanwhile.
@@ -81,6 +98,11 @@ impl FolderLock {
         self.file.is_some()
     }
 
+    /// Whether nobody else has a lock that was shared, which from then on is for this one alone.
+    fn is_last(&self, file: &File) -> bool {
+        file.unlock().is_ok() && file.try_lock().is_ok() && is_at(file, &self.folder.join(NAME))
+    }
+
     fn sweep(&self) {
         whole_file::sweep(&self.folder);
         INNER.iter().for_each(|inner| whole_file::sweep(&self.folder.join(inner)));
@@ -89,7 +111,7 @@ impl FolderLock {
 
 impl Drop for FolderLock {
     fn drop(&mut self) {
-        if let Some(file) = &self.file {
+        if let Some(file) = self.file.as_ref().filter(|file| !self.is_shared || self.is_last(file)) {
             self.sweep();
             // While it is held, so that nobody has locked it whose lock would not be seen. Windows keeps it until it is closed.
             let _ = if cfg!(unix) { fs::remove_file(self.folder.join(NAME)) } else { file.set_len(0) };

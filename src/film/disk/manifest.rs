@@ -112,6 +112,11 @@ impl Manifest {
         (self.program == program() && self.sections == *sections).then_some(&*self.keys)
     }
 
+    /// Whether this is the film of a scene as it is now, whatever it is called, what it checks and how it looks.
+    pub fn is_of(&self, scene: &Scene) -> bool {
+        self.keys_for(&scene.section_keys()).is_some()
+    }
+
     /// What has changed since, in words: names of sections, or the way in which frames are computed.
     pub(super) fn changes_to(&self, other: &Manifest) -> Vec<String> {
         let differs = |name: &&String| self.sections.get(*name) != other.sections.get(*name);

@@ -11,6 +11,7 @@
 //!     frames/000001.json   its report, its key, and the checksum of the state
 //!     report.html          a page of the film
 //!     .immerse             what the pictures and the page were made of
+//!     farm                 job files
 //!     .lock                who writes there, while somebody does
 //! ```
 //!

@@ -31,6 +31,6 @@ pub use sheets::{make_look_sheet, make_poster};
 pub(super) use single::{PREVIEW, small_picture};
 pub use single::{make_preview, take_picture};
 pub(super) use stills::SHEET;
-pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals};
+pub use stills::{Pictured, make_pictures, make_pictures_of_arrivals, make_stills_beside_others};
 pub use trial::{PictureCost, try_a_picture};
 pub(super) use views::Views;

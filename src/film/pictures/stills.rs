@@ -50,9 +50,38 @@ pub fn make_pictures_of_arrivals(
     arrivals: &Arrivals,
     watch: &mut Watch,
 ) -> Result<Pictured, FilmError> {
+    make(scene, folder, frames, arrivals, Ledger::open(folder)?, watch)
+}
+
+/// As [`make_pictures_of_arrivals`], beside others who make pictures of other frames in the same folder. Only stills are made,
+/// and what is known of them is kept apart until the next one who is alone in the folder makes pictures.
+///
+/// # Errors
+/// As [`make_pictures`].
+pub fn make_stills_beside_others(
+    scene: &Scene,
+    folder: &Path,
+    frames: &[usize],
+    arrivals: &Arrivals,
+    watch: &mut Watch,
+) -> Result<Pictured, FilmError> {
+    let Some(&first) = frames.first() else { return Ok(Pictured::default()) };
+    let mut scene = scene.clone();
+    scene.output.animation.clear();
+    scene.output.sheet = 0;
+    make(&scene, folder, frames, arrivals, Ledger::open_part(folder, first)?, watch)
+}
+
+fn make(
+    scene: &Scene,
+    folder: &Path,
+    frames: &[usize],
+    arrivals: &Arrivals,
+    ledger: Ledger,
+    watch: &mut Watch,
+) -> Result<Pictured, FilmError> {
     let plan = Plan::of(scene)?;
     let mut survey = survey(&plan, folder, frames, arrivals, watch)?;
-    let ledger = Ledger::open(folder)?;
     let mut pictured = Pictured { made: 0, kept: frames.len() };
     if plan.png.is_some() || plan.output.has_layers() || !scene.output.animation.is_empty() {
         pictured = film(&plan, &mut survey, folder, frames, &ledger, watch)?;
