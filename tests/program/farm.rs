@@ -47,7 +47,11 @@ fn begin(line: &str) -> Child {
 }
 
 fn scene() -> String {
-    film(4, 12, "format = ['png', 'exr', 'gif']\nsheet = 4\nexport = ['obj']\n[checks]\nmax_l2_length_error = 0.9\n")
+    film(
+        4,
+        12,
+        "format = ['png', 'exr']\nanimation = ['gif']\nsheet = 4\nexport = ['obj']\n[checks]\nmax_l2_length_error = 0.9\n",
+    )
 }
 
 /// Writes job files; gives what was said.
@@ -197,7 +201,7 @@ fn submitted(at: &Path, job: &str) -> Output {
 
 #[test]
 fn batch_scripts_make_what_a_run_makes() {
-    let folder = folder_with(&film(3, 24, "format = ['png', 'gif']\n"));
+    let folder = folder_with(&film(3, 24, "format = ['png']\nanimation = ['gif']\n"));
     let at = folder.path();
     let direct = ["run", "film.toml", "--frames", "1-20,21-24:3", "--set", "look.preset=clay", "-q", "--out", "direct"];
     assert_code(&end_of(start(at, &direct)), 0);
