@@ -14,6 +14,7 @@ use super::export::{self, Request, export};
 use super::failure::{Failure, PipelineError};
 use super::gallery::gallery;
 use super::leftovers::clear_leftovers;
+use super::new::new;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
@@ -24,10 +25,6 @@ use super::set_up::{folder_of, read_scene};
 use super::sweep::{self, sweep};
 use crate::film::{self, FilmFolder, Plan};
 use crate::scene::Scene;
-use crate::whole_file;
-
-/// The scene that `new` writes.
-const STARTER: &str = include_str!("starter.toml");
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
@@ -154,8 +151,9 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             export(&request, frames.as_ref(), session, out)
         }
         Command::Report { folder, restart } => report(folder, *restart, session, out),
-        Command::New { name } => new(name, out),
-        Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
+        Command::New { kind, name } => new(kind, name.as_deref(), out),
+        Command::Schema { markdown: true } => Ok(write!(out, "{}", Scene::reference())?),
+        Command::Schema { markdown: false } => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut Arguments::command(), "immerse", out);
             Ok(())
@@ -273,11 +271,4 @@ fn sentence(what: &str, summary: Summary, folder: &Path) -> String {
 /// A path in a line of results.
 fn shown(path: &Path) -> String {
     one_line(&path.to_string_lossy()).into_owned()
-}
-
-fn new(name: &str, out: &mut impl Write) -> Result<(), Failure> {
-    let path = PathBuf::from(if name.ends_with(".toml") { name.to_owned() } else { format!("{name}.toml") });
-    let failed = |source| Failure::New { path: path.clone(), source };
-    whole_file::write_new(&path, STARTER.as_bytes()).map_err(failed)?;
-    Ok(writeln!(out, "{} is written; now: immerse run {}", shown(&path), shown(&path))?)
 }
