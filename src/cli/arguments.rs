@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use super::farm::Engine;
 use super::frame_range::FrameRange;
 use super::names::one_of;
+use super::new::recipes;
 use super::picture_options::PictureOptions;
 use super::progress::LogFormat;
 use crate::scene::ExportFormat;
@@ -161,13 +162,22 @@ pub(super) enum Command {
         #[arg(long)]
         restart: bool,
     },
-    /// Write a commented scene to start from
+    /// Write the commented scene of a recipe, or one to start from
+    #[command(after_help = recipes())]
     New {
-        /// Name of the scene; NAME.toml is written
-        name: String,
+        /// A recipe; anything else is the name of a scene to start from
+        #[arg(value_name = "KIND")]
+        kind: String,
+        /// Name of the recipe's scene; NAME.toml is written [default: KIND]
+        #[arg(value_name = "NAME")]
+        name: Option<String>,
     },
-    /// Print the JSON schema of scene files
-    Schema,
+    /// Print the JSON schema of scene files, for editors, or the reference of all keys, for people
+    Schema {
+        /// The reference as a page of Markdown, which is docs/reference.md
+        #[arg(long)]
+        markdown: bool,
+    },
     /// Print a completion script
     Completions {
         /// For which shell

@@ -16,6 +16,7 @@ use super::farm::farm;
 use super::forecast::forecast;
 use super::gallery::gallery;
 use super::leftovers::clear_leftovers;
+use super::new::new;
 use super::picture_options::PictureOptions;
 use super::pipeline::{self, Making, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
@@ -26,10 +27,6 @@ use super::set_up::{folder_of, read_scene};
 use super::sweep::{self, report_of_sweep, sweep};
 use crate::film::{self, FilmFolder, Plan};
 use crate::scene::Scene;
-use crate::whole_file;
-
-/// The scene that `new` writes.
-const STARTER: &str = include_str!("starter.toml");
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
@@ -153,8 +150,9 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             Some(reported) => reported,
             None => report(folder, *restart, session, out),
         },
-        Command::New { name } => new(name, out),
-        Command::Schema => Ok(writeln!(out, "{:#}", Scene::schema())?),
+        Command::New { kind, name } => new(kind, name.as_deref(), out),
+        Command::Schema { markdown: true } => Ok(write!(out, "{}", Scene::reference())?),
+        Command::Schema { markdown: false } => Ok(writeln!(out, "{:#}", Scene::schema())?),
         Command::Completions { shell } => {
             clap_complete::generate(*shell, &mut Arguments::command(), "immerse", out);
             Ok(())
@@ -303,11 +301,4 @@ fn sentence(what: &str, summary: Summary, folder: &Path) -> String {
 /// A path in a line of results.
 fn shown(path: &Path) -> String {
     one_line(&path.to_string_lossy()).into_owned()
-}
-
-fn new(name: &str, out: &mut impl Write) -> Result<(), Failure> {
-    let path = PathBuf::from(if name.ends_with(".toml") { name.to_owned() } else { format!("{name}.toml") });
-    let failed = |source| Failure::New { path: path.clone(), source };
-    whole_file::write_new(&path, STARTER.as_bytes()).map_err(failed)?;
-    Ok(writeln!(out, "{} is written; now: immerse run {}", shown(&path), shown(&path))?)
 }

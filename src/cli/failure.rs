@@ -7,6 +7,7 @@ use super::frame_range::FrameRangeError;
 use crate::evolve::EvolveError;
 use crate::film::{DiskError, FilmError};
 use crate::scene::{SceneError, SceneErrors};
+use crate::text::clipped;
 
 /// Why a command did not do what it should.
 #[derive(Debug, thiserror::Error)]
@@ -63,6 +64,8 @@ pub(super) enum Failure {
     Output(#[from] io::Error),
     #[error("{}: cannot be written ({source}); choose another name or folder", path.display())]
     New { path: PathBuf, source: io::Error },
+    #[error("there is no recipe `{}`; {remedy}", clipped(kind))]
+    Recipe { kind: String, remedy: String },
     #[error("{}: this folder cannot be used ({source}); name another one, or go where it is", path.display())]
     Folder { path: PathBuf, source: io::Error },
     #[error("there cannot be that many threads ({0}); ask for fewer with --threads")]
@@ -103,6 +106,7 @@ impl Failure {
             Failure::Pipeline(_) | Failure::Output(_) | Failure::Panic { .. } | Failure::NotWell => FAILED,
             Failure::Frames(_)
             | Failure::New { .. }
+            | Failure::Recipe { .. }
             | Failure::Folder { .. }
             | Failure::Name { .. }
             | Failure::Sweep(_)

@@ -16,6 +16,7 @@ mod frame_range;
 mod gallery;
 mod leftovers;
 mod names;
+mod new;
 mod picture_options;
 mod pipeline;
 mod preview;

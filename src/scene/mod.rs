@@ -18,6 +18,7 @@ mod error;
 mod file;
 mod foreign;
 mod keys;
+mod reference;
 mod schema;
 mod sections;
 mod sequence;
@@ -34,5 +35,6 @@ pub use data::{
     StartFrom, StartSection, TextSection,
 };
 pub use error::{SceneError, SceneErrors};
+pub(crate) use keys::{nearest, suggestion};
 pub use source::{Location, Source};
 pub(crate) use texts::split_setting;

@@ -12,6 +12,7 @@
 mod bad_input;
 mod classes;
 mod command_line;
+mod cookbook;
 mod curves;
 mod edited;
 mod exported;

@@ -25,6 +25,21 @@ impl Table<'_> {
         index.map(|index| of[index].1.clone())
     }
 
+    /// Reads one of several names, with one that counts if the key is left out.
+    pub(in crate::scene) fn choice_or<T: Clone + PartialEq>(
+        &mut self,
+        name: &'static str,
+        doc: &'static str,
+        of: &[(&'static str, T)],
+        default: T,
+    ) -> T {
+        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
+        let index = self.name_among(name, &names);
+        let usual = of.iter().find(|(_, value)| *value == default).map(|(name, _)| (*name).into());
+        self.fields.push(Field { name, doc, kind: Kind::Choice(names), default: usual, required: false });
+        index.map_or(default, |index| of[index].1.clone())
+    }
+
     /// Reads one of several names, or a list of them.
     pub(in crate::scene) fn choices<T: Copy + PartialEq>(
         &mut self,

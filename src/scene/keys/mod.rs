@@ -13,6 +13,6 @@ pub(super) use files::files;
 pub(super) use names::Boundary;
 pub(super) use number::{ease, extrapolation, one_per_time, times};
 pub(super) use problems::{LISTED, Problem, Problems};
-pub(super) use spelling::suggestion;
+pub(crate) use spelling::{nearest, suggestion};
 pub(super) use table::{Table, declared};
 pub(super) use value::{Bounds, Color, Field, Kind, PATHS, Variant};

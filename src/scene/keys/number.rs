@@ -50,7 +50,7 @@ impl Value for NumberSection {
 
 fn keyframes(table: &mut Table) -> NumberSection {
     let (times, ease) = times(table);
-    let values = table.key::<Vec<f64>>("values", "One value per time.").required(vec![0.0, 1.0]);
+    let values = table.key::<Vec<f64>>("values", "One value for each time.").required(vec![0.0, 1.0]);
     let extrapolation = extrapolation(table);
     if table.has("values") {
         one_per_time(table, "values", values.len(), times.len());
@@ -60,7 +60,9 @@ fn keyframes(table: &mut Table) -> NumberSection {
 
 /// `times` and `ease`.
 pub(in crate::scene) fn times(table: &mut Table) -> (Vec<f64>, Ease) {
-    let times = table.key::<Vec<f64>>("times", "Increasing times.").required(vec![0.0, 1.0]);
+    let times = table
+        .key::<Vec<f64>>("times", "Times of the keyframes, each greater than the one before.")
+        .required(vec![0.0, 1.0]);
     if let Some([earlier, later]) = times.array_windows().find(|[earlier, later]| later <= earlier) {
         let reason = format!("keyframes are out of order: {later} comes after {earlier}");
         table.complain("times", reason, "sort them, each time greater than the last");
@@ -72,14 +74,16 @@ pub(in crate::scene) fn times(table: &mut Table) -> (Vec<f64>, Ease) {
 
 pub(in crate::scene) fn ease(table: &mut Table) -> Ease {
     let names = [("linear", Ease::Linear), ("smooth", Ease::Smooth), ("in", Ease::In), ("out", Ease::Out)];
-    let doc = "How values pass between keyframes: at constant speed (the default), or slowly at both ends, at first, at last.";
-    table.choice("ease", doc, &names).unwrap_or_default()
+    let doc = "How values pass from one keyframe to the next: at constant speed (linear), slowly at both ends (smooth), slowly \
+               at first (in), or slowly at last (out).";
+    table.choice_or("ease", doc, &names, Ease::default())
 }
 
 pub(in crate::scene) fn extrapolation(table: &mut Table) -> Extrapolation {
     let names = [("hold", Extrapolation::Hold), ("linear", Extrapolation::Linear), ("repeat", Extrapolation::Repeat)];
-    let doc = "Before the first and after the last keyframe: hold (the default), go on, or start over.";
-    table.choice("extrapolation", doc, &names).unwrap_or_default()
+    let doc = "Before the first and after the last keyframe: the value there is held, goes on in a straight line, or all \
+               starts over.";
+    table.choice_or("extrapolation", doc, &names, Extrapolation::default())
 }
 
 /// Reports a list that does not have one entry per time.

@@ -1,7 +1,7 @@
 //! The nearest of the names that are allowed.
 
 /// The candidate closest to `word` in edits, if it is close enough to have been meant.
-pub(in crate::scene) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     // Nobody has meant a name by a word of this length, and comparing them takes as long.
     const LONGEST: usize = 100;
     if word.len() > LONGEST {
@@ -18,7 +18,7 @@ pub(in crate::scene) fn nearest<'c>(word: &str, candidates: impl IntoIterator<It
 }
 
 /// `did you mean …?` if a candidate is near, then the list of all.
-pub(in crate::scene) fn suggestion(what: &str, word: &str, candidates: &[&str]) -> String {
+pub(crate) fn suggestion(what: &str, word: &str, candidates: &[&str]) -> String {
     let quoted: Vec<String> = candidates.iter().map(|candidate| format!("`{candidate}`")).collect();
     let list = match quoted.as_slice() {
         [] => format!("there are no {what} here"),

@@ -18,8 +18,8 @@ pub(super) fn bending(table: &mut Table) -> (Option<BendingSection>, Option<f64>
         .optional(0.001);
     let from = table.choice(
         "from",
-        "Angles of the mesh (the fold angles of its FOLD file, else those of its positions), of its mirror image, or of what \
-         frames start from.",
+        "The target angles: those of the mesh (the fold angles of its FOLD file, else those of its positions), of its mirror \
+         image, or of what the relaxation starts from.",
         &[("mesh", BendingFrom::Mesh), ("mirror", BendingFrom::Mirror), ("start", BendingFrom::Start)],
     );
     let file = table
@@ -61,7 +61,7 @@ fn bending_region(table: &mut Table) -> BendingRegionSection {
     BendingRegionSection {
         edges: edges.unwrap_or(EdgeSelection::Edges(Vec::new())),
         angle: table
-            .key("angle", "In degrees; positive as on a sphere whose normals point outward.")
+            .key("angle", "The angle between the two faces of each edge, in degrees: 0 is flat, positive is bent as on a sphere whose normals point outward.")
             .required(NumberSection::Constant(30.0)),
     }
 }

@@ -10,7 +10,7 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
     let default = ClockSection::default();
     let clock = ClockSection {
         frames: table
-            .key("frames", "Number of frames; 1 is a static scene. With class = \"all\" there is one for each class if it is left out.")
+            .key("frames", "Number of frames; 1 is a static scene. With class = \"all\" there is one for each class if this is left out.")
             .at_least(1.0)
             .at_most(MAX_FRAMES)
             .or(default.frames),
@@ -23,11 +23,11 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
             .at_least(1.0)
             .optional(2),
         tolerance: table
-            .key("tolerance", "A frame has settled when the mean turn of its face frames per step is below this, in degrees,")
+            .key("tolerance", "A frame of a film has settled when its faces turn by less than this a step, in degrees, on average.")
             .above(0.0)
             .at_most(180.0)
             .or(default.tolerance),
-        max_steps: table.key("max_steps", "or after this many steps.").at_least(1.0).or(default.max_steps),
+        max_steps: table.key("max_steps", "A frame of a film is done after this many steps even if it has not settled; then it counts as unconverged.").at_least(1.0).or(default.max_steps),
         accuracy: table
             .key("accuracy", "A frame is done as soon as its L2 length error is at most this and it has no rims; left out, when it has settled.")
             .above(0.0)

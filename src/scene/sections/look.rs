@@ -21,12 +21,12 @@ pub(super) fn look(table: &mut Table) -> LookSection {
         ("flat", MaterialName::Flat),
     ];
     let look = LookSection {
-        preset: table.choice("preset", "What the rest starts from.", &LookName::ALL).unwrap_or_default(),
-        front: color(table, "front", "Colour of the side the normal points from."),
-        back: color(table, "back", "Colour of the other side."),
+        preset: table.choice_or("preset", "The named look from which all else that stands here differs.", &LookName::ALL, LookName::default()),
+        front: color(table, "front", "Colour of the front, the side from which faces are counterclockwise."),
+        back: color(table, "back", "Colour of the back."),
         background: color(table, "background", "Colour behind the surface."),
         background_bottom: color(table, "background_bottom", "Colour at the lower end of the picture, for a gradient."),
-        material: table.choice("material", "How the surface answers light.", &materials),
+        material: table.choice("material", "How the surface answers light; `pbr` has `roughness` and `metallic`, `matcap` takes its shading from a picture, `flat` is not lit.", &materials),
         roughness: share(table, "roughness", "Roughness of the `pbr` material."),
         metallic: share(table, "metallic", "How metallic the `pbr` material is."),
         matcap: table
@@ -35,7 +35,7 @@ pub(super) fn look(table: &mut Table) -> LookSection {
             .map(Into::into),
         front_opacity: share(table, "front_opacity", "Opacity of the front where it is seen face-on."),
         back_opacity: share(table, "back_opacity", "Opacity of the back where it is seen face-on."),
-        edge_opacity: share(table, "edge_opacity", "Opacity where the surface is seen edge-on."),
+        edge_opacity: share(table, "edge_opacity", "Opacity where the surface is seen edge-on, which is more than face-on for soap films and the like."),
         pattern: table.optional_table("pattern", "Stripes, fields or lines on the surface.", pattern),
         color: table.optional_table("color", "A field shown as colour.", shown_field),
         hide: table
@@ -49,7 +49,7 @@ pub(super) fn look(table: &mut Table) -> LookSection {
             .key("explode", "How far components are moved apart, in units of their distance from the middle.")
             .at_least(0.0)
             .or(0.0),
-        wireframe: share(table, "wireframe", "Strength of the mesh edges."),
+        wireframe: share(table, "wireframe", "Strength of the lines along mesh edges; 0 draws none."),
         lines: table
             .key("lines", "Whether silhouettes, creases, boundary, self-intersections, rims and pins are drawn.")
             .optional(true),
@@ -78,6 +78,9 @@ fn share(table: &mut Table, name: &'static str, doc: &'static str) -> Option<f64
     table.key(name, doc).at_least(0.0).at_most(1.0).optional(0.5)
 }
 
+const PATTERN_DOC: &str =
+    "What is drawn: stripes with see-through gaps, a chessboard, lines both ways, or level lines.";
+
 fn pattern(table: &mut Table) -> PatternSection {
     let kinds = [
         ("bands", PatternKind::Bands),
@@ -86,10 +89,10 @@ fn pattern(table: &mut Table) -> PatternSection {
         ("isolines", PatternKind::Isolines),
     ];
     let along = table
-        .key::<String>("along", "\"parallels\", \"meridians\", a field, or a formula of the mesh's x, y and z.")
+        .key::<String>("along", "Along what it changes: \"parallels\", \"meridians\", a field by its name (as `field` under [look.color]), or a formula of the mesh's x, y and z.")
         .or("parallels".into());
     let field = FieldName::ALL.iter().find(|(name, _)| *name == along).map(|&(_, field)| field);
-    let kind = table.choice("kind", "What is drawn.", &kinds).unwrap_or(PatternKind::Bands);
+    let kind = table.choice_or("kind", PATTERN_DOC, &kinds, PatternKind::Bands);
     let usual_gap = if matches!(kind, PatternKind::Bands | PatternKind::Checker) { 0.5 } else { 0.06 };
     PatternSection {
         kind,
@@ -123,7 +126,7 @@ fn shown_field(table: &mut Table) -> ColorSection {
         table.complain("range", "the range is empty", "write the smaller value first, as in range = [0, 0.01]");
     }
     ColorSection {
-        field: table.choice("field", "Which quantity.", &FieldName::ALL).unwrap_or(FieldName::LengthError),
+        field: table.choice_or("field", "The quantity that is shown.", &FieldName::ALL, FieldName::LengthError),
         map: table.choice("map", "The colours; left out, those that suit the field.", &ColorMap::ALL),
         range,
         legend: table.key("legend", "Whether a legend is drawn.").or(true),
@@ -144,10 +147,14 @@ fn cut(table: &mut Table) -> CutSection {
 fn line(table: &mut Table) -> LineSection {
     LineSection {
         color: color(table, "color", "Colour of all but rims and pins."),
-        silhouette: width(table, "silhouette", "Outlines."),
+        silhouette: width(table, "silhouette", "Outlines against what lies behind."),
         crease: width(table, "crease", "Edges that are bent by more than `crease_angle`."),
-        crease_angle: table.key("crease_angle", "Degrees.").at_least(0.0).at_most(180.0).optional(40.0),
-        boundary: width(table, "boundary", "Ends of the surface."),
+        crease_angle: table
+            .key("crease_angle", "The angle in degrees by which an edge must be bent to be drawn as a crease.")
+            .at_least(0.0)
+            .at_most(180.0)
+            .optional(40.0),
+        boundary: width(table, "boundary", "The boundary of the surface."),
         intersection: width(table, "intersection", "Curves where the surface passes through itself."),
         rim: width(table, "rim", "Edges where the surface folds over."),
         pin: width(table, "pin", "Vertices that are held."),
@@ -173,6 +180,6 @@ fn text(table: &mut Table) -> TextSection {
                 "What it says; {scene}, {frame}, {frames}, {time}, {error}, {max_error}, {class}, {rims} and {faces} are filled in.",
             )
             .required("frame {frame}".into()),
-        corner: table.choice("corner", "Where it stands.", &corners).unwrap_or_default(),
+        corner: table.choice_or("corner", "Where in the picture it stands.", &corners, Corner::default()),
     }
 }

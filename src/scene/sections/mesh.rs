@@ -23,16 +23,16 @@ pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
         "shape",
         "The name of a generated shape; its parameters stand beside it.",
         &[
-            ("sphere", "Icosphere.", sphere),
-            ("uv_sphere", "Sphere of meridians and parallels.", uv_sphere),
+            ("sphere", "A sphere of nearly equilateral triangles.", sphere),
+            ("uv_sphere", "A sphere of meridians and parallels.", uv_sphere),
             ("flat_torus", "A parallelogram with opposite sides glued, known by its lengths alone.", flat_torus),
-            ("torus", "Torus of revolution.", torus),
-            ("cylinder", "Cylinder without lids.", cylinder),
-            ("annulus", "Flat annulus.", annulus),
-            ("disk", "Flat disk.", disk),
-            ("hyperbolic_disk", "Disk of constant negative curvature with geodesic edge lengths.", hyperbolic_disk),
-            ("polyhedron", "Polyhedron with divided edges.", polyhedron),
-            ("implicit", "Isosurface of a tree of solids.", implicit),
+            ("torus", "A torus of revolution around the z axis.", torus),
+            ("cylinder", "A cylinder without lids around the z axis.", cylinder),
+            ("annulus", "A flat annulus in the plane of x and y.", annulus),
+            ("disk", "A flat disk in the plane of x and y.", disk),
+            ("hyperbolic_disk", "A disk of constant negative curvature, known by its lengths; x and y in formulas are places in the Poincaré disk.", hyperbolic_disk),
+            ("polyhedron", "A polyhedron whose edges are divided: one that is built in, or your own.", polyhedron),
+            ("implicit", "The surface of solids that are joined, cut from one another, and rounded where they meet.", implicit),
         ],
     );
     // Generated shapes have no seams.
@@ -78,14 +78,17 @@ fn count(table: &mut Table, name: &'static str, doc: &'static str, least: usize,
 }
 
 fn radius(table: &mut Table) -> f64 {
-    table.key("radius", "Radius.").above(0.0).or(1.0)
+    table.key("radius", "Its radius.").above(0.0).or(1.0)
 }
 
 fn sphere(table: &mut Table) -> Shape {
     Shape::Sphere {
         radius: radius(table),
         subdivisions: table
-            .key("subdivisions", "Parts into which the edges of an icosahedron are divided.")
+            .key(
+                "subdivisions",
+                "Parts into which each edge of an icosahedron is divided; there are 20 subdivisions² triangles.",
+            )
             .at_least(limits::LEAST_SUBDIVISIONS as f64)
             .at_most(MAX_PARTS)
             .or(16),
@@ -101,12 +104,13 @@ fn uv_sphere(table: &mut Table) -> Shape {
 }
 
 fn flat_torus(table: &mut Table) -> Shape {
-    let a = table.key("a", "First lattice vector.").or([3.0, 0.0]);
-    let b = table.key("b", "Second lattice vector.").or([0.0, 2.5]);
-    let grid = table.choice(
+    let a = table.key("a", "First side of the parallelogram, [x, y].").or([3.0, 0.0]);
+    let b = table.key("b", "Second side, [x, y].").or([0.0, 2.5]);
+    let grid = table.choice_or(
         "grid",
-        "\"equilateral\" shifts every second row by half a cell (the default); \"square\" cuts cells along a diagonal.",
+        "\"equilateral\" shifts every second row by half a cell; \"square\" cuts cells along a diagonal.",
         &[("equilateral", Grid::Equilateral), ("square", Grid::Square)],
+        Grid::Equilateral,
     );
     let size = f64::max(a[0].abs() + a[1].abs(), b[0].abs() + b[1].abs());
     let area = (a[0] / size) * (b[1] / size) - (a[1] / size) * (b[0] / size);
@@ -119,7 +123,7 @@ fn flat_torus(table: &mut Table) -> Shape {
         b,
         columns: count(table, "columns", "Cells along a.", limits::LEAST_COLUMNS, 60),
         rows: count(table, "rows", "Cells along b.", limits::LEAST_FLAT_TORUS_ROWS, 50),
-        grid: grid.unwrap_or(Grid::Equilateral),
+        grid,
     }
 }
 
@@ -132,8 +136,9 @@ fn ordered(table: &Table, small: (&str, f64), large: (&str, f64)) {
 }
 
 fn torus(table: &mut Table) -> Shape {
-    let major_radius = table.key("major_radius", "From the axis to the middle of the tube.").above(0.0).or(1.0);
-    let minor_radius = table.key("minor_radius", "Of the tube.").above(0.0).or(0.4);
+    let major_radius =
+        table.key("major_radius", "Distance from the axis to the middle of the tube.").above(0.0).or(1.0);
+    let minor_radius = table.key("minor_radius", "Radius of the tube.").above(0.0).or(0.4);
     ordered(table, ("minor_radius", minor_radius), ("major_radius", major_radius));
     Shape::Torus {
         major_radius,
@@ -146,15 +151,15 @@ fn torus(table: &mut Table) -> Shape {
 fn cylinder(table: &mut Table) -> Shape {
     Shape::Cylinder {
         radius: radius(table),
-        height: table.key("height", "Height.").above(0.0).or(2.0),
+        height: table.key("height", "Its height.").above(0.0).or(2.0),
         columns: count(table, "columns", "Cells around.", limits::LEAST_COLUMNS, 64),
         rows: count(table, "rows", "Cells up.", limits::LEAST_ROWS, 24),
     }
 }
 
 fn annulus(table: &mut Table) -> Shape {
-    let inner_radius = table.key("inner_radius", "Of the hole.").above(0.0).or(0.5);
-    let outer_radius = table.key("outer_radius", "Of the rim.").above(0.0).or(1.0);
+    let inner_radius = table.key("inner_radius", "Radius of the hole.").above(0.0).or(0.5);
+    let outer_radius = table.key("outer_radius", "Radius of the outer rim.").above(0.0).or(1.0);
     ordered(table, ("inner_radius", inner_radius), ("outer_radius", outer_radius));
     Shape::Annulus {
         inner_radius,
@@ -167,14 +172,18 @@ fn annulus(table: &mut Table) -> Shape {
 fn disk(table: &mut Table) -> Shape {
     Shape::Disk {
         radius: radius(table),
-        rings: table.key("rings", "Rings of triangles.").at_least(limits::LEAST_RINGS as f64).at_most(MAX_PARTS).or(24),
+        rings: table
+            .key("rings", "Rings of triangles around the middle; there are 6 rings² triangles.")
+            .at_least(limits::LEAST_RINGS as f64)
+            .at_most(MAX_PARTS)
+            .or(24),
     }
 }
 
 fn hyperbolic_disk(table: &mut Table) -> Shape {
     Shape::HyperbolicDisk {
-        curvature: table.key("curvature", "Gaussian curvature.").below(0.0).or(-1.0),
-        radius: table.key("radius", "Geodesic radius.").above(0.0).or(3.0),
+        curvature: table.key("curvature", "Gaussian curvature, per length squared.").below(0.0).or(-1.0),
+        radius: table.key("radius", "Radius, measured along the surface.").above(0.0).or(3.0),
         faces: table
             .key("faces", "About how many triangles.")
             .at_least(limits::LEAST_DISK_FACES as f64)
@@ -186,14 +195,17 @@ fn hyperbolic_disk(table: &mut Table) -> Shape {
 fn polyhedron(table: &mut Table) -> Shape {
     let names: Vec<(&'static str, &'static str)> = polyhedron_names().map(|name| (name, name)).collect();
     let name = table.choice("name", "A built-in polyhedron; or give `vertices` and `polygons`.", &names);
-    let vertices = table.key::<Vec<[f64; 3]>>("vertices", "Corners, [x, y, z] each.").optional(vec![
+    let vertices = table.key::<Vec<[f64; 3]>>("vertices", "Its corners, [x, y, z] each.").optional(vec![
         [1.0, 0.0, 0.0],
         [0.0, 1.0, 0.0],
         [0.0, 0.0, 1.0],
         [0.0, 0.0, 0.0],
     ]);
     let polygons = table
-        .key::<Vec<Vec<usize>>>("polygons", "Lists of corners, counterclockwise seen from outside.")
+        .key::<Vec<Vec<usize>>>(
+            "polygons",
+            "Its faces, each a list of corners by their place in `vertices`, counterclockwise as seen from outside.",
+        )
         .optional(vec![vec![0, 1, 2], vec![0, 2, 3], vec![0, 3, 1], vec![1, 3, 2]]);
     table.only_one_of(&["name", "vertices"]);
     table.only_one_of(&["name", "polygons"]);
@@ -234,7 +246,7 @@ fn check_polygons(table: &Table, vertex_count: usize, polygons: &[Vec<usize>]) {
 }
 
 fn implicit(table: &mut Table) -> Shape {
-    let parts = table.tables("parts", "Solids, joined in order.", part);
+    let parts = table.tables("parts", "Solids, joined one after another. Each has one of the keys `sphere`, `capsule`, `torus`, `ellipsoid` and `group`.", part);
     if parts.is_empty() && !table.has("parts") {
         table.complain("shape", "an implicit shape has no `parts`", "add [[mesh.parts]] with sphere = { radius = 1 }");
     } else if parts.is_empty() {
@@ -242,6 +254,6 @@ fn implicit(table: &mut Table) -> Shape {
     }
     Shape::Implicit {
         solid: Solid { body: Body::Group(parts), operation: Operation::Union, blend: 0.0 },
-        edge_length: table.key("edge_length", "Edge length of the mesh.").above(0.0).or(0.05),
+        edge_length: table.key("edge_length", "About how long the edges of the mesh are.").above(0.0).or(0.05),
     }
 }

@@ -16,19 +16,20 @@ pub(super) fn metric(table: &mut Table) -> MetricSection {
                pattern of names with * and ?, in the order of the numbers in them. Of a FOLD file every frame is one.";
     let files = files(table, doc);
     let keys = table.tables("key", "The metric at a time; what is between is interpolated.", key);
-    let interpolation = table.choice(
+    let interpolation = table.choice_or(
         "interpolation",
-        "What is linear between keys: lengths, their squares (the default) or their logarithms.",
+        "What changes evenly between keys: lengths, their squares or their logarithms.",
         &[
             ("lengths", Interpolation::Lengths),
             ("squared", Interpolation::Squared),
             ("logarithms", Interpolation::Logarithms),
         ],
+        Interpolation::default(),
     );
     let section = MetricSection {
         lengths,
         files,
-        interpolation: interpolation.unwrap_or_default(),
+        interpolation,
         ease: ease(table),
         extrapolation: extrapolation(table),
         changes: table.tables("change", "What is done to the lengths, one after another.", change),
@@ -65,11 +66,11 @@ fn length_source(table: &mut Table) -> LengthSource {
     let csv =
         table.key::<String>("csv", "A file of lines `u,v,length`, every edge once.").optional("lengths.csv".into());
     let file = table.key::<String>("file", FILE_DOC).optional("other.obj".into());
-    let doc = "Lengths of the mesh with its vertices moved: x, y and z as expressions in x, y, z of the vertex, `t` and \
-               the parameters.";
+    let doc = "The lengths that the mesh has when each vertex is moved to the place that three formulas of its x, y and z, \
+               the time `t` and the parameters give.";
     let positions = table.key::<[String; 3]>("positions", doc).optional(["2 * x", "y", "z"].map(str::to_owned));
-    let doc = "An expression in x, y, z of the edge midpoint, dx, dy, dz from end to end, `length`, the length of the \
-               mesh, time `t` and the parameters.";
+    let doc = "The length of an edge as a formula of `length`, what it is in the mesh; x, y and z, its middle; dx, dy and dz, \
+               from end to end; the time `t` and the parameters.";
     let formula = table.key::<String>("formula", doc).optional("length * (1 + 0.2 * z)".into());
     // Of `files` only [metric] itself knows.
     table.only_one_of(&["length", "csv", "file", "files", "positions", "formula"]);
@@ -84,7 +85,10 @@ fn length_source(table: &mut Table) -> LengthSource {
 }
 
 fn key(table: &mut Table) -> MetricKeySection {
-    MetricKeySection { time: table.key("time", "When.").required(0.0), lengths: length_source(table) }
+    MetricKeySection {
+        time: table.key("time", "The time at which these lengths hold.").required(0.0),
+        lengths: length_source(table),
+    }
 }
 
 fn change(table: &mut Table) -> MetricChangeSection {
@@ -92,16 +96,16 @@ fn change(table: &mut Table) -> MetricChangeSection {
         "kind",
         "What is done to the lengths.",
         &[
-            ("conformal", "Lengths are multiplied by exp of the mean log scale factor of their ends.", conformal),
-            ("ricci", "Discrete Ricci flow (Eq. 22).", ricci),
+            ("conformal", "Every length is multiplied by exp(u), where u is the mean of `log_scale` at its two ends.", conformal),
+            ("ricci", "Discrete Ricci flow: lengths are scaled at their ends until every vertex has the curvature that is asked for.", ricci),
         ],
     );
     if !table.has("kind") && table.is_given() {
         table.complain("kind", "[[change]] has no `kind`", "add kind = \"conformal\" or kind = \"ricci\"");
     }
     let kind = kind.unwrap_or(ChangeKind::Ricci(RicciSection::default()));
-    let doc = "How much of it, 0 to 1. For the Ricci flow 1 is the limit and a < 1 time -ln(1 - a). Left out, 1 for \
-               conformal factors, and for the flow as far as the clock has run.";
+    let doc = "How much of it is done, 0 to 1. Of a Ricci flow 1 is the limit, and a smaller amount a is the state at \
+               time -ln(1 - a) of the flow.";
     let default = match kind {
         ChangeKind::Conformal { .. } => NumberSection::Constant(1.0),
         ChangeKind::Ricci(_) => NumberSection::Keyframes {
@@ -115,7 +119,7 @@ fn change(table: &mut Table) -> MetricChangeSection {
 }
 
 fn conformal(table: &mut Table) -> ChangeKind {
-    let doc = "Log scale factor u: an expression in x, y, z of the vertex, time `t` and the parameters.";
+    let doc = "The logarithm of the factor at a vertex: a formula of its x, y and z, the time `t` and the parameters.";
     ChangeKind::Conformal { log_scale: table.key("log_scale", doc).required("0.3 * t * z".to_owned()) }
 }
 
@@ -124,7 +128,7 @@ fn ricci(table: &mut Table) -> ChangeKind {
     table.only_one_of(&["curvature", "csv"]);
     ChangeKind::Ricci(RicciSection {
         curvature: table
-            .key("curvature", "Gaussian curvature inside; left out, the constant that Gauss-Bonnet leaves.")
+            .key("curvature", "Gaussian curvature inside, per length squared; left out, the one constant that the theorem of Gauss and Bonnet allows.")
             .optional(-1.0),
         regions: table.tables("region", "Vertices with a total curvature of their own.", curvature_region),
         csv: table
@@ -134,7 +138,7 @@ fn ricci(table: &mut Table) -> ChangeKind {
         turning: table
             .key("turning", "Total turning angle of every boundary loop in degrees, spread in proportion to length; left out, the boundary keeps its lengths.")
             .optional(360.0),
-        free_area: table.key("free_area", "Whether the total area may change.").or(false),
+        free_area: table.key("free_area", "Whether the total area may change; it is kept otherwise.").or(false),
     })
 }
 

@@ -15,13 +15,19 @@ pub(super) fn camera(table: &mut Table) -> CameraSection {
         direction: table
             .key("direction", "From the surface to the eye; left out, the best view along the principal axes.")
             .optional([1.0, 0.5, 2.0]),
-        up: table.key("up", "Up in the picture.").optional([0.0, 1.0, 0.0]),
+        up: table
+            .key("up", "What points up in the picture; left out, what suits the view, z for what is round.")
+            .optional([0.0, 1.0, 0.0]),
         field_of_view: table
-            .key("field_of_view", "Vertical, in degrees; 0 is orthographic.")
+            .key("field_of_view", "Angle of view from bottom to top, in degrees; 0 is orthographic.")
             .at_least(0.0)
             .at_most(View::WIDEST_DEGREES)
             .optional(30.0),
-        fill: table.key("fill", "Share of the picture the surface fills.").at_least(View::FILLS[0]).at_most(View::FILLS[1]).optional(0.8),
+        fill: table
+            .key("fill", "Share of the picture the surface fills.")
+            .at_least(View::FILLS[0])
+            .at_most(View::FILLS[1])
+            .optional(0.8),
         target: table
             .key("target", "What is in the middle of the picture; left out, the middle of the surface.")
             .optional([0.0, 0.0, 0.0]),
@@ -40,14 +46,13 @@ pub(super) fn camera(table: &mut Table) -> CameraSection {
             .at_least(1.0)
             .at_most(64.0)
             .or(8),
-        framed: table
-            .choice(
-                "framed",
-                "What the picture has room for: all of the \"film\" (the default), or its \"first\" frame, so that pictures \
+        framed: table.choice_or(
+            "framed",
+            "What the picture has room for: all of the \"film\", or its \"first\" frame, so that pictures \
                  are made while the simulation goes on, unless colours wait for their range.",
-                &[("film", Framed::Film), ("first", Framed::First)],
-            )
-            .unwrap_or_default(),
+            &[("film", Framed::Film), ("first", Framed::First)],
+            Framed::default(),
+        ),
     };
     not_zero(table, "direction", camera.direction);
     not_zero(table, "up", camera.up);
@@ -59,10 +64,14 @@ pub(super) fn camera(table: &mut Table) -> CameraSection {
 
 fn camera_key(table: &mut Table) -> CameraKeySection {
     CameraKeySection {
-        time: table.key("time", "When, in the units of the clock.").required(0.0),
+        time: table.key("time", "The time at which the eye is there.").required(0.0),
         orbit: table.key("orbit", "Degrees round `up` from the direction of the film.").or(0.0),
-        rise: table.key("rise", "Degrees up from it.").at_least(-180.0).at_most(180.0).or(0.0),
-        dolly: table.key("dolly", "Factor on the distance of the eye.").above(0.0).or(1.0),
+        rise: table
+            .key("rise", "Degrees that it is lifted from there toward `up`.")
+            .at_least(-180.0)
+            .at_most(180.0)
+            .or(0.0),
+        dolly: table.key("dolly", "Factor on the distance of the eye: less than 1 is nearer.").above(0.0).or(1.0),
         target: table.key("target", "What is in the middle of the picture.").optional([0.0, 0.0, 0.0]),
     }
 }
@@ -77,9 +86,12 @@ pub(super) fn not_zero(table: &Table, name: &str, vector: Option<[f64; 3]>) {
 pub(super) fn light(table: &mut Table) -> LightSection {
     let light = LightSection {
         direction: table
-            .key("direction", "Toward the light; x right, y up, z toward the eye.")
+            .key("direction", "Toward the light, in the picture: x right, y up, z toward the eye.")
             .required([-0.5, 1.0, 1.0]),
-        color: table.key("color", "Linear colour times strength.").at_least(0.0).or([1.0; 3]),
+        color: table
+            .key("color", "Red, green and blue of the light, linear, times its strength; [1, 1, 1] is white.")
+            .at_least(0.0)
+            .or([1.0; 3]),
         shadow: table.key("shadow", "Whether it casts shadows.").or(true),
     };
     not_zero(table, "direction", Some(light.direction));
@@ -97,7 +109,7 @@ pub(super) fn output(table: &mut Table) -> OutputSection {
     if !Output::SAMPLES.contains(&samples) {
         table.complain("samples", format!("`samples` is {samples}, it must be 1, 4, 8 or 16"), "write samples = 8");
     }
-    let formats = table.choices("format", "Picture formats.", &[("png", false), ("exr", true)], &[false]);
+    let formats = table.choices("format", "Formats of the pictures.", &[("png", false), ("exr", true)], &[false]);
     let depth = table.key("depth", "Bits per channel of PNG pictures: 8 or 16.").or(default.depth);
     if !Png::DEPTHS.contains(&depth) {
         table.complain("depth", format!("`depth` is {depth}, it must be 8 or 16"), "write depth = 8");

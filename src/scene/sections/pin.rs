@@ -9,10 +9,10 @@ pub(super) fn pin(table: &mut Table) -> PinSection {
     let pin = PinSection {
         vertices: selection(table),
         positions: table
-            .key("positions", "Where they belong, one [x, y, z] per vertex; left out, where the mesh's positions are.")
+            .key("positions", "Where they belong, one [x, y, z] for each of `vertices` or `nearest`; left out, where the mesh has them.")
             .or(Vec::new()),
         formula: table
-            .key("formula", "Where each goes from there: expressions in x, y, z, time `t` and the parameters.")
+            .key("formula", "Where each goes from there: three formulas of its x, y and z, the time `t` and the parameters.")
             .optional(["x", "y", "z - 0.2 * t"].map(str::to_owned)),
         motion: table.optional_table("motion", "Keyframed rigid motion about their centroid.", motion),
     };
@@ -41,8 +41,12 @@ fn motion(table: &mut Table) -> MotionSection {
     let (times, ease) = times(table);
     let still = vec![[0.0; 3]; times.len()];
     let motion = MotionSection {
-        translations: table.key("translations", "Displacement, one [x, y, z] per time.").or(still.clone()),
-        rotations: table.key("rotations", "Degrees about x, then y, then z, one per time.").or(still),
+        translations: table
+            .key("translations", "How far they are moved, one [x, y, z] for each time.")
+            .or(still.clone()),
+        rotations: table
+            .key("rotations", "How they are turned, in degrees about x, then y, then z, one for each time.")
+            .or(still),
         times,
         ease,
     };

@@ -24,11 +24,11 @@ pub(in crate::scene) fn root(table: &mut Table) -> Scene {
         parameters: table.map("parameters", "Numbers by name, for formulas; each may use those before it and `t`."),
         metric: table.table(
             "metric",
-            "Its edge lengths; left out, those of the shape or of the mesh's positions.",
+            "The edge lengths of the surface; left out, those of the shape or of the mesh's positions.",
             metric,
         ),
-        spin: table.table("spin", "Its regular homotopy class.", spin),
-        start: table.table("start", "Where the frames start; left out, random = 0.", start),
+        spin: table.table("spin", "Its regular homotopy class: in which of the essentially different ways it lies in space; left out, that of the mesh's positions, else zeros.", spin),
+        start: table.table("start", "What the relaxation begins with; left out, random = 0.", start),
         phases: table.tables("phase", PHASES, phase),
         bending: table
             .optional_table("bending", "How the surface bends, and target bending angles.", bending)
@@ -40,9 +40,9 @@ pub(in crate::scene) fn root(table: &mut Table) -> Scene {
         clock: table.table("clock", "Frames and their times.", clock),
         camera: table.table("camera", "The view; what is left out frames the surface by itself.", camera),
         lights: table.tables("light", "A directional light; without any, the studio's three.", light),
-        look: table.table("look", "Colours and lines.", look),
-        output: table.table("output", "Picture size and format.", output),
-        checks: table.table("checks", "What must hold, else the run fails.", checks),
+        look: table.table("look", "Colours, materials, patterns, lines and labels. What is left out is as `preset` has it.", look),
+        output: table.table("output", "Which files are made of the film, and how large.", output),
+        checks: table.table("checks", "What must hold of the last frame, else the run fails with code 1; `film` is about all frames.", checks),
         ..Scene::default()
     };
     // Has been followed where it names a file.
@@ -55,7 +55,7 @@ pub(in crate::scene) fn root(table: &mut Table) -> Scene {
     scene
 }
 
-const PHASES: &str = "A stage of the relaxation. Without any there are five: epsilon = [1, 1, 1, 1] with dt = faces / 28, \
+const PHASES: &str = "A part of the relaxation. Without any there are five: epsilon = [1, 1, 1, 1] with dt = faces / 28, \
      [1, 0.1, 1, 0.1] with dt = 100 (rims resolve here), [1, 0.01, 1, 0.1] and [1, 0.001, 1, 0.1] with dt = 30, and \
      [1, 0.0001, 1, 0.1] with dt = 10; frames that start from a shape go through the last one only, and so do frames \
      that follow in a film. `immerse check SCENE --phases` prints those of a scene. A [[phase]] with `index` or `like` \

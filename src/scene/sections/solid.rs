@@ -6,16 +6,17 @@ use crate::scene::keys::Table;
 const BODIES: [&str; 5] = ["sphere", "capsule", "torus", "ellipsoid", "group"];
 
 pub(super) fn part(table: &mut Table) -> Solid {
-    let operation = table.choice(
+    let operation = table.choice_or(
         "operation",
-        "How it joins what stands before it; left out, \"union\".",
+        "What is done with what stands before it: it is added, cut off, or only what both have is kept.",
         &[
             ("union", Operation::Union),
             ("difference", Operation::Difference),
             ("intersection", Operation::Intersection),
         ],
+        Operation::Union,
     );
-    let blend = table.key("blend", "Width over which the joint is rounded.").at_least(0.0).or(0.0);
+    let blend = table.key("blend", "Width over which the joint is rounded; 0 leaves a crease.").at_least(0.0).or(0.0);
     let primitives = [
         table.optional_table("sphere", "A ball.", ball),
         table.optional_table("capsule", "A tube with round ends; with two radii a round cone.", capsule),
@@ -31,15 +32,15 @@ pub(super) fn part(table: &mut Table) -> Solid {
         table.complain("group", "`group` is empty", "write for example group = [{ sphere = { radius = 1 } }]");
     }
     let body = primitives.into_iter().flatten().next().unwrap_or(Body::Group(group));
-    Solid { body, operation: operation.unwrap_or(Operation::Union), blend }
+    Solid { body, operation, blend }
 }
 
 fn center(table: &mut Table) -> [f64; 3] {
-    table.key("center", "Center.").or([0.0; 3])
+    table.key("center", "Its middle.").or([0.0; 3])
 }
 
 fn ball(table: &mut Table) -> Body {
-    Body::Sphere { center: center(table), radius: table.key("radius", "Radius.").above(0.0).required(1.0) }
+    Body::Sphere { center: center(table), radius: table.key("radius", "Its radius.").above(0.0).required(1.0) }
 }
 
 fn capsule(table: &mut Table) -> Body {
@@ -60,15 +61,16 @@ fn ring(table: &mut Table) -> Body {
     if axis == [0.0; 3] {
         table.complain("axis", "`axis` is the zero vector, which points nowhere", "write for example axis = [0, 0, 1]");
     }
-    let major_radius = table.key("major_radius", "From the axis to the middle of the tube.").above(0.0).required(1.0);
-    let minor_radius = table.key("minor_radius", "Of the tube.").above(0.0).required(0.3);
+    let major_radius =
+        table.key("major_radius", "Distance from the axis to the middle of the tube.").above(0.0).required(1.0);
+    let minor_radius = table.key("minor_radius", "Radius of the tube.").above(0.0).required(0.3);
     Body::Torus { center, axis, major_radius, minor_radius }
 }
 
 fn ellipsoid(table: &mut Table) -> Body {
     Body::Ellipsoid {
         center: center(table),
-        radii: table.key("radii", "Semi-axes.").above(0.0).required([1.0, 0.7, 0.5]),
-        rotation: table.key("rotation", "Degrees about x, then y, then z.").or([0.0; 3]),
+        radii: table.key("radii", "Its three half-axes.").above(0.0).required([1.0, 0.7, 0.5]),
+        rotation: table.key("rotation", "How it is turned: degrees about x, then y, then z.").or([0.0; 3]),
     }
 }

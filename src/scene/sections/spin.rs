@@ -4,7 +4,7 @@ use crate::scene::data::SpinSection;
 use crate::scene::keys::Table;
 
 pub(super) fn spin(table: &mut Table) -> SpinSection {
-    let doc = "One digit 0 or 1 per generator, the value of q on it; or \"immersion\": that of the mesh's positions; or \"all\": one a frame.";
+    let doc = "One digit for each generator as `immerse check` lists them, 0 where a strip along it is a plain ring and 1 where it is twisted by a full turn; or \"immersion\", the class of the mesh's positions; or \"all\", all classes one after another, one a frame.";
     match table.key::<String>("class", doc).optional("01".into()) {
         None => SpinSection::Automatic,
         Some(class) if class == "immersion" => SpinSection::Immersion,

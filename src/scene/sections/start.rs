@@ -6,14 +6,20 @@ use crate::scene::data::{StartFrom, StartSection};
 use crate::scene::keys::Table;
 
 pub(super) fn start(table: &mut Table) -> StartSection {
-    let random = table.key::<u64>("random", "Independent uniform frames from this seed.").optional(7);
+    let random = table
+        .key::<u64>("random", "Every face begins turned at random, by this seed; another one may find another shape.")
+        .optional(7);
     let from = table.choice(
         "from",
-        "Frames of the mesh's positions, of their mirror image, or lowest modes of the connection Laplacian.",
+        "Begins with the mesh's positions, with their mirror image, or with the smoothest face frames that there are \
+         (the lowest modes of the connection Laplacian).",
         &[("mesh", StartFrom::Mesh), ("mirror", StartFrom::Mirror), ("spectral", StartFrom::Spectral)],
     );
     let file = table
-        .key::<String>("file", "Frames of another mesh with the same connectivity.")
+        .key::<String>(
+            "file",
+            "Begins with the positions of another mesh with the same connectivity, or of a frame of a film.",
+        )
         .optional("deformed.obj".into());
     table.only_one_of(&["random", "from", "file"]);
     let section = StartSection {
@@ -23,17 +29,16 @@ pub(super) fn start(table: &mut Table) -> StartSection {
             .or(random.map(StartFrom::Random))
             .unwrap_or_default(),
         formula: table
-            .key("formula", "Where each vertex of those positions is moved: expressions in x, y, z and the parameters.")
+            .key("formula", "Where each vertex is moved first: three formulas of its x, y and z and the parameters.")
             .optional(["x", "y", "0.5 * z"].map(str::to_owned)),
         noise: table.optional_table("noise", "Smooth random displacement of those positions.", noise),
-        orientation: table
-            .choice(
-                "orientation",
-                "Which of two mirror images random frames end in: that of the mesh's positions, else the one whose \
+        orientation: table.choice_or(
+            "orientation",
+            "Which of two mirror images random frames end in: that of the mesh's positions, else the one whose \
                  front is outside.",
-                &[("outward", Orientation::Outward), ("as it comes", Orientation::AsItComes)],
-            )
-            .unwrap_or_default(),
+            &[("outward", Orientation::Outward), ("as it comes", Orientation::AsItComes)],
+            Orientation::default(),
+        ),
     };
     if matches!(section.from, StartFrom::Random(_) | StartFrom::Spectral) {
         for name in ["formula", "noise"].into_iter().filter(|name| table.has(name)) {
@@ -56,7 +61,9 @@ fn noise(table: &mut Table) -> Noise {
             .at_least(1.0)
             .at_most(16.0)
             .or(1),
-        seed: table.key("seed", "Which of the many.").at_most(4_294_967_295.0).or(0),
-        along_normals: table.key("along_normals", "Whether vertices move along their normals only.").or(false),
+        seed: table.key("seed", "Another seed gives another displacement.").at_most(4_294_967_295.0).or(0),
+        along_normals: table
+            .key("along_normals", "Whether vertices move along their normals only; else in all directions.")
+            .or(false),
     }
 }

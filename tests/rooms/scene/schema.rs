@@ -35,3 +35,21 @@ fn parameters_of_a_shape_stand_beside_its_name_and_the_tree_of_solids_refers_to_
     assert_eq!(items.pointer("/properties/group/items/$ref").unwrap(), "#parts");
     assert_eq!(items.pointer("/properties/sphere/required/0").unwrap(), "radius");
 }
+
+/// The page for people, which the program writes, is the one that is read.
+#[test]
+fn the_reference_lists_every_key_as_it_is_declared() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/reference.md");
+    let there = std::fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    let wanted = Scene::reference();
+    let first = there.lines().zip(wanted.lines()).find(|(there, wanted)| there != wanted);
+    assert!(
+        there == wanted,
+        "docs/reference.md is not what the scene declares, first here: {first:?}; write it anew with\n\n    \
+         cargo run --release --locked -- schema --markdown > docs/reference.md\n"
+    );
+    // Keys of tables within tables, of variants and of keyframes.
+    for key in ["`interpolation`", "`log_scale`", "`free_area`", "`radii`", "`extrapolation`", "`crease_angle`"] {
+        assert!(wanted.contains(&format!("| {key} |")), "{key} is missing");
+    }
+}
