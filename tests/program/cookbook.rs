@@ -10,7 +10,7 @@ use std::path::Path;
 const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     (
         "eversion",
-        &["mesh.edge_length=0.1", "clock.frames=4", "clock.steps_per_frame=150"],
+        &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=150"],
         &["renders/eversion/eversion.gif", "renders/eversion/sheet.png"],
     ),
     ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/ricci.gif", "renders/ricci/sheet.png"]),
@@ -19,7 +19,7 @@ const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     ("growth", &["mesh.rings=8", "clock.frames=4"], &["renders/growth/growth.gif"]),
     ("folding", &["clock.frames=4"], &["miura.fold", "renders/folding/folding.gif"]),
     ("poses", &["mesh.edge_length=0.14", "clock.frames=3"], &["renders/poses/poses.gif", "renders/again/000003.png"]),
-    ("classes", &["mesh.edge_length=0.2", "clock.accuracy=0.05"], &["renders/classes/sheet.png"]),
+    ("classes", &["clock.accuracy=0.02"], &["renders/classes/sheet.png"]),
     ("farm", &["mesh.columns=24", "mesh.rows=10", "clock.frames=4"], &["renders/farm/000004.png"]),
     (
         "programs",
@@ -138,14 +138,14 @@ fn obey(folder: &Path, command: &str, settings: &[&str]) {
     assert_eq!(words.remove(0), "immerse", "{command}");
     let verb = words[0];
     let of_a_recipe = !words.contains(&"again.toml") && !words.contains(&"--mesh");
-    if matches!(verb, "run" | "simulate" | "check" | "sweep" | "farm") && of_a_recipe {
+    if matches!(verb, "run" | "simulate" | "render" | "check" | "sweep" | "farm") && of_a_recipe {
         // A sweep has settings of its own, of which one value is no combination.
         settings.iter().for_each(|setting| words.extend(["--set", setting]));
     }
     if verb == "sweep" {
         words.extend(["--set", "output.size=[80, 60]", "--set", "output.samples=1", "--set", "output.report=false"]);
     }
-    if verb == "run" {
+    if matches!(verb, "run" | "render") {
         while let Some(at) = words.iter().position(|word| matches!(*word, "--size" | "--samples")) {
             words.drain(at..at + 2);
         }
