@@ -10,7 +10,7 @@ use std::path::Path;
 const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     (
         "eversion",
-        &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=150"],
+        &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=220"],
         &["renders/eversion/eversion.gif", "renders/eversion/sheet.png"],
     ),
     ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/ricci.gif", "renders/ricci/sheet.png"]),
