@@ -12,14 +12,14 @@ const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     (
         "eversion",
         &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=220"],
-        &["renders/eversion/eversion.gif", "renders/eversion/sheet.png"],
+        &["renders/eversion/film.gif", "renders/eversion/sheet.png"],
     ),
-    ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/ricci.gif", "renders/ricci/sheet.png"]),
+    ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/film.gif", "renders/ricci/sheet.png"]),
     ("numpy", &["phase=[{like = 'default', max_steps = 60}]"], &["lengths.npz", "renders/numpy/000001.png"]),
-    ("formula", &["mesh.subdivisions=6", "clock.frames=6"], &["renders/formula/formula.gif"]),
-    ("growth", &["mesh.rings=8", "clock.frames=4"], &["renders/growth/growth.gif"]),
-    ("folding", &["clock.frames=4"], &["miura.fold", "renders/folding/folding.gif"]),
-    ("poses", &["mesh.edge_length=0.14", "clock.frames=3"], &["renders/poses/poses.gif", "renders/again/000003.png"]),
+    ("formula", &["mesh.subdivisions=6", "clock.frames=6"], &["renders/formula/film.gif"]),
+    ("growth", &["mesh.rings=8", "clock.frames=4"], &["renders/growth/film.gif"]),
+    ("folding", &["clock.frames=4"], &["miura.fold", "renders/folding/film.gif"]),
+    ("poses", &["mesh.edge_length=0.14", "clock.frames=3"], &["renders/poses/film.gif", "renders/again/000003.png"]),
     ("classes", &["clock.accuracy=0.02"], &["renders/classes/sheet.png"]),
     ("farm", &["mesh.columns=24", "mesh.rows=10", "clock.frames=4"], &["renders/farm/000004.png"]),
     (
@@ -169,7 +169,7 @@ fn obey(folder: &Path, command: &str, settings: &[&str]) {
 
 /// Moving pictures have as many pictures as the film.
 fn assert_moving(folder: &Path, kind: &str) {
-    let Ok(gif) = fs::read(folder.join(format!("renders/{kind}/{kind}.gif"))) else { return };
+    let Ok(gif) = fs::read(folder.join(format!("renders/{kind}/film.gif"))) else { return };
     let frames = fs::read_dir(folder.join(format!("renders/{kind}/frames"))).expect("frames");
     let ending = |path: &Path| path.extension().is_some_and(|ending| ending == "npz");
     let frames = frames.filter(|entry| ending(&entry.as_ref().expect("an entry").path())).count();
