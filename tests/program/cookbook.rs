@@ -10,16 +10,16 @@ use std::path::Path;
 const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     (
         "eversion",
-        &["mesh.edge_length=0.1", "clock.frames=4", "clock.steps_per_frame=150"],
-        &["renders/eversion/eversion.gif", "renders/eversion/sheet.png"],
+        &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=220"],
+        &["renders/eversion/film.gif", "renders/eversion/sheet.png"],
     ),
-    ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/ricci.gif", "renders/ricci/sheet.png"]),
+    ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/film.gif", "renders/ricci/sheet.png"]),
     ("numpy", &["phase=[{like = 'default', max_steps = 60}]"], &["lengths.npz", "renders/numpy/000001.png"]),
-    ("formula", &["mesh.subdivisions=6", "clock.frames=6"], &["renders/formula/formula.gif"]),
-    ("growth", &["mesh.rings=8", "clock.frames=4"], &["renders/growth/growth.gif"]),
-    ("folding", &["clock.frames=4"], &["miura.fold", "renders/folding/folding.gif"]),
-    ("poses", &["mesh.edge_length=0.14", "clock.frames=3"], &["renders/poses/poses.gif", "renders/again/000003.png"]),
-    ("classes", &["mesh.edge_length=0.2", "clock.accuracy=0.05"], &["renders/classes/sheet.png"]),
+    ("formula", &["mesh.subdivisions=6", "clock.frames=6"], &["renders/formula/film.gif"]),
+    ("growth", &["mesh.rings=8", "clock.frames=4"], &["renders/growth/film.gif"]),
+    ("folding", &["clock.frames=4"], &["miura.fold", "renders/folding/film.gif"]),
+    ("poses", &["mesh.edge_length=0.14", "clock.frames=3"], &["renders/poses/film.gif", "renders/again/000003.png"]),
+    ("classes", &["clock.accuracy=0.02"], &["renders/classes/sheet.png"]),
     ("farm", &["mesh.columns=24", "mesh.rows=10", "clock.frames=4"], &["renders/farm/000004.png"]),
     (
         "programs",
@@ -138,22 +138,18 @@ fn obey(folder: &Path, command: &str, settings: &[&str]) {
     assert_eq!(words.remove(0), "immerse", "{command}");
     let verb = words[0];
     let of_a_recipe = !words.contains(&"again.toml") && !words.contains(&"--mesh");
-    if matches!(verb, "run" | "simulate" | "check" | "sweep" | "farm") && of_a_recipe {
+    if matches!(verb, "run" | "simulate" | "render" | "check" | "sweep" | "farm") && of_a_recipe {
         // A sweep has settings of its own, of which one value is no combination.
         settings.iter().for_each(|setting| words.extend(["--set", setting]));
     }
     if verb == "sweep" {
         words.extend(["--set", "output.size=[80, 60]", "--set", "output.samples=1", "--set", "output.report=false"]);
     }
-    if verb == "run" {
+    if matches!(verb, "run" | "render") {
         while let Some(at) = words.iter().position(|word| matches!(*word, "--size" | "--samples")) {
             words.drain(at..at + 2);
         }
         words.extend(["--size", "80x60", "--samples", "1"]);
-    }
-    if verb == "farm" && !program(folder, &["farm", "--help"]).1.contains("--engine") {
-        eprintln!("SKIPPED: `{command}`, because this program has no `farm`");
-        return;
     }
     let (code, out, err) = program(folder, &words);
     if command.contains("mp4") && !cfg!(feature = "mp4") {
@@ -167,7 +163,7 @@ fn obey(folder: &Path, command: &str, settings: &[&str]) {
 
 /// Moving pictures have as many pictures as the film.
 fn assert_moving(folder: &Path, kind: &str) {
-    let Ok(gif) = fs::read(folder.join(format!("renders/{kind}/{kind}.gif"))) else { return };
+    let Ok(gif) = fs::read(folder.join(format!("renders/{kind}/film.gif"))) else { return };
     let frames = fs::read_dir(folder.join(format!("renders/{kind}/frames"))).expect("frames");
     let ending = |path: &Path| path.extension().is_some_and(|ending| ending == "npz");
     let frames = frames.filter(|entry| ending(&entry.as_ref().expect("an entry").path())).count();

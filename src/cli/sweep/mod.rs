@@ -81,11 +81,8 @@ pub(super) fn report_of_sweep(folder: &Path, session: &Session, out: &mut impl W
 /// The last frame of each film that is whole, as one picture.
 fn write_poster(folder: &Path, rows: &[Row], scenes: Vec<Scene>, session: &Session) -> Result<(), PipelineError> {
     let films = rows.iter().zip(scenes).filter(|(row, _)| row.is_whole());
-    let tile = |(row, scene): (&Row, Scene)| Tile {
-        scene,
-        folder: folder.join(&row.run.name),
-        captions: [row.run.name.replace(',', ", "), row.caption()],
-    };
+    let tile =
+        |(row, scene): (&Row, Scene)| Tile { scene, folder: folder.join(&row.run.name), captions: row.captions() };
     let whole: Vec<Tile> = films.map(tile).collect();
     let path = folder.join(POSTER);
     Ok(film::make_sheet_of_films(&whole, &path, &mut |event| session.log.pictures(event))?)

@@ -38,11 +38,13 @@ impl Row<'_> {
         self.inspection.as_ref().is_some_and(|inspection| inspection.is_whole())
     }
 
-    /// Class and length error, for a picture.
-    pub fn caption(&self) -> String {
-        let Some(last) = self.last() else { return String::new() };
+    /// What sets it apart, and class and length error, for a picture. A class that is what was asked for is said once.
+    pub fn captions(&self) -> [String; 2] {
+        let name = self.run.name.replace(',', ", ");
+        let Some(last) = self.last() else { return [name, String::new()] };
         let class = if last.spin_class.is_empty() { String::new() } else { format!("class {}, ", last.spin_class) };
-        format!("{class}{}", percent(last.l2_length_error))
+        let is_said = name == format!("spin.class={}", last.spin_class);
+        [if is_said { String::new() } else { name }, format!("{class}{}", percent(last.l2_length_error))]
     }
 
     /// In one line.
