@@ -203,11 +203,12 @@ fn submitted(at: &Path, job: &str) -> Output {
 fn batch_scripts_make_what_a_run_makes() {
     let folder = folder_with(&film(2, 24, "format = ['png']\nanimation = ['gif']\n"));
     let at = folder.path();
-    let direct = ["run", "film.toml", "--frames", "1-20,21-24:3", "--set", "look.preset=flat", "-q", "--out", "direct"];
+    let direct =
+        ["run", "film.toml", "--frames", "1-20,21-24:3", "--set", "look.preset=bands", "-q", "--out", "direct"];
     assert_code(&end_of(start(at, &direct)), 0);
     let said = farm(
         at,
-        &["film.toml", "--engine", "slurm", "--frames", "1-20,21-24:3", "--set", "look.preset=flat", "--out", "film"],
+        &["film.toml", "--engine", "slurm", "--frames", "1-20,21-24:3", "--set", "look.preset=bands", "--out", "film"],
     );
     assert!(said.contains("submit, simulate.sbatch, pictures.sbatch, assemble.sbatch written"), "{said}");
     let pictures = job_file(&at.join("film"), "pictures.sbatch");

@@ -1,8 +1,8 @@
 //! Lists of shell commands, one a line.
 
-use super::Written;
 use super::job::{Job, Step, Tasks};
 use super::words::line;
+use super::written::Written;
 
 /// All files there may be.
 pub(super) const FILES: &[&str] =
