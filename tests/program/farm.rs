@@ -201,13 +201,14 @@ fn submitted(at: &Path, job: &str) -> Output {
 
 #[test]
 fn batch_scripts_make_what_a_run_makes() {
-    let folder = folder_with(&film(3, 24, "format = ['png']\nanimation = ['gif']\n"));
+    let folder = folder_with(&film(2, 24, "format = ['png']\nanimation = ['gif']\n"));
     let at = folder.path();
-    let direct = ["run", "film.toml", "--frames", "1-20,21-24:3", "--set", "look.preset=clay", "-q", "--out", "direct"];
+    let direct =
+        ["run", "film.toml", "--frames", "1-20,21-24:3", "--set", "look.preset=bands", "-q", "--out", "direct"];
     assert_code(&end_of(start(at, &direct)), 0);
     let said = farm(
         at,
-        &["film.toml", "--engine", "slurm", "--frames", "1-20,21-24:3", "--set", "look.preset=clay", "--out", "film"],
+        &["film.toml", "--engine", "slurm", "--frames", "1-20,21-24:3", "--set", "look.preset=bands", "--out", "film"],
     );
     assert!(said.contains("submit, simulate.sbatch, pictures.sbatch, assemble.sbatch written"), "{said}");
     let pictures = job_file(&at.join("film"), "pictures.sbatch");
@@ -228,7 +229,7 @@ fn batch_scripts_make_what_a_run_makes() {
     assert_same(&made(&at.join("film")), &made(&at.join("direct")));
 }
 
-const TORUS: &str = "[mesh]\nshape = 'torus'\ncolumns = 16\nrows = 8\n[start]\nrandom = 0\n[clock]\nframes = 1\n\
+const TORUS: &str = "[mesh]\nshape = 'torus'\ncolumns = 16\nrows = 8\n[start]\nrandom = 0\n[[phase]]\nmax_steps = 20\n[clock]\nframes = 1\n\
                      [checks]\nmax_l2_length_error = 0.5\n[output]\nsize = [48, 36]\nsamples = 1\nreport = false\n";
 const SETS: [&str; 6] =
     ["--set", "spin.class=00,01", "--set", "checks.max_l2_length_error=0.5,1e-12", "--set", "start.random=3"];

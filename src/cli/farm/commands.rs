@@ -1,7 +1,7 @@
 //! Lists of shell commands, one a line.
 
-use super::Written;
 use super::job::{Job, Step, Tasks};
+use super::written::Written;
 use crate::cli::shell::line;
 
 /// All files there may be.

@@ -10,6 +10,7 @@ mod job;
 mod openjd;
 mod slurm;
 mod words;
+mod written;
 
 use std::io::Write;
 use std::path::Path;
@@ -17,6 +18,7 @@ use std::path::Path;
 use clap::ValueEnum;
 
 use self::job::Job;
+use self::written::Written;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::frame_range::FrameRange;
@@ -35,14 +37,6 @@ pub(super) enum Engine {
     Openjd,
     /// Lists of shell commands, one a line, for GNU parallel and the like
     Commands,
-}
-
-/// What an engine is given.
-struct Written {
-    /// Names and texts of files.
-    files: Vec<(String, String)>,
-    /// The command that starts the job, with the folder of the files in the place of `{}`.
-    start: String,
 }
 
 /// Writes the job files of a film, or of a sweep if a key has several values, into the folder `farm` in its folder. Nothing is

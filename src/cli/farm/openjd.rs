@@ -1,8 +1,8 @@
 //! A job template of Open Job Description.
 
-use super::Written;
 use super::job::{Job, Step, Tasks};
 use super::words::plain_name;
+use super::written::Written;
 use crate::cli::failure::Failure;
 use crate::cli::shell::line;
 

@@ -1,8 +1,8 @@
 //! Batch scripts of Slurm, and one that submits them.
 
-use super::Written;
 use super::job::{Job, Step, Tasks};
 use super::words::plain_name;
+use super::written::Written;
 use crate::cli::shell::{line, quoted};
 
 /// All files there may be.
@@ -20,7 +20,7 @@ pub(super) fn write(job: &Job) -> Written {
 
 fn submit(job: &Job) -> String {
     let mut text = "#!/bin/bash\n# Submits the steps of this job, each of which waits for the one before it, and prints the numbers they get.\n\
-                    # Options of sbatch may follow and go before those in the scripts: submit --partition=long --cpus-per-task=8\n\
+                    # Options of sbatch may follow, and take the place of those in the scripts: submit --partition=long --cpus-per-task=8\n\
                     set -euo pipefail\ncd \"$(dirname \"$0\")\"\nmkdir -p log\n\
                     submit() { sbatch --parsable --chdir=\"$PWD/log\" \"$@\"; }\n\n"
         .to_owned();
