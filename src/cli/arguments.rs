@@ -125,6 +125,9 @@ pub(super) enum Command {
         /// Print the phases that the scene goes through, as they can be written into it
         #[arg(long)]
         phases: bool,
+        /// Take no trial steps: say nothing of the time, memory and disk that a run will take
+        #[arg(long)]
+        no_trial: bool,
     },
     /// Say what each computed frame is worth
     Inspect {

@@ -132,11 +132,12 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
                 sweep::Request { scene: &scene.path, mesh, set: &scene.settings.set, out: folder, restart: false };
             farm(&what, *engine, frames.as_ref(), session, out)
         }
-        Command::Check { scene: file, phases: true } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
-        Command::Check { scene: file, phases: false } => {
+        Command::Check { scene: file, phases: true, .. } => Ok(write!(out, "{}", check::phases(&read(file)?)?)?),
+        Command::Check { scene: file, phases: false, no_trial } => {
             let scene = read(file)?;
             let notes = check::check(&scene, &session.log)?;
-            for note in notes.into_iter().chain(forecast(&scene)?) {
+            let of_trial = if *no_trial { Vec::new() } else { forecast(&scene)? };
+            for note in notes.into_iter().chain(of_trial) {
                 writeln!(out, "{note}")?;
             }
             Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)

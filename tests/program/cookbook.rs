@@ -10,7 +10,7 @@ use std::path::Path;
 const RECIPES: [(&str, &[&str], &[&str]); 11] = [
     (
         "eversion",
-        &["mesh.edge_length=0.08", "clock.frames=4", "clock.steps_per_frame=220"],
+        &["mesh.edge_length=0.08", "clock.frames=6", "clock.steps_per_frame=220"],
         &["renders/eversion/film.gif", "renders/eversion/sheet.png"],
     ),
     ("ricci", &["mesh.edge_length=0.14", "clock.frames=4"], &["renders/ricci/film.gif", "renders/ricci/sheet.png"]),

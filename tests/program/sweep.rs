@@ -122,7 +122,7 @@ fn all_classes_are_those_of_the_surface() {
     assert_eq!(code, 0, "{err}");
     let rows = table(&folder.path().join("all"));
     let column = |title: &str| rows[0].iter().position(|name| name == title).unwrap();
-    for title in ["spin.class", "class"] {
+    for title in ["spin.class", "asked_class"] {
         let classes: Vec<&str> = rows[1..].iter().map(|row| row[column(title)].as_str()).collect();
         assert_eq!(classes, ["00", "01", "10", "11"], "{title}");
     }
