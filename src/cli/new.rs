@@ -67,7 +67,9 @@ pub(super) fn new(kind: &str, name: Option<&str>, out: &mut impl Write) -> Resul
         writeln!(out, "{} is written", shown(&folder.join(name)))?;
     }
     write_new(&scene, recipe.map_or(STARTER, |recipe| recipe.scene))?;
-    writeln!(out, "{} is written; now: immerse run {}", shown(&scene), shown(&scene))?;
+    let scripts = beside.iter().filter(|(name, _)| name.ends_with(".py"));
+    let before: String = scripts.map(|(name, _)| format!("python3 {}, then ", shown(&folder.join(name)))).collect();
+    writeln!(out, "{} is written; now: {before}immerse run {}", shown(&scene), shown(&scene))?;
     match recipe {
         Some(recipe) => writeln!(out, "docs/cookbook.md says more of it, under `{}`", recipe.kind)?,
         None if nearest(kind.trim_end_matches(".toml"), kinds).is_some() => {

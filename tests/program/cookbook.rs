@@ -81,6 +81,8 @@ fn a_recipe_is_written_by_its_kind_and_a_misspelt_one_is_told() {
     assert_eq!(code, 2);
     assert!(err.contains("miura.fold: cannot be written"), "{err}");
     assert!(!folder.path().join("another.toml").exists());
+    let (_, out, _) = new(&["numpy"]);
+    assert!(out.contains("now: python3 lengths.py, then immerse run numpy.toml"), "{out}");
     // A name that is near a recipe's is a name all the same.
     let (code, out, _) = new(&["ricii"]);
     assert_eq!(code, 0);
