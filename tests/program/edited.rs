@@ -261,7 +261,8 @@ fn a_restart_makes_all_anew() {
     let (exports, kept): (Vec<String>, Vec<String>) = kept.into_iter().partition(|name| name.starts_with("export/"));
     assert_eq!(exports.len(), 8, "{exports:?}");
     assert_eq!(kept, [".immerse/scene.toml", "curves.csv", "curves.svg", "mesh.npz"], "which have the same bytes");
-    film.run(&["run", "--restart"]);
+    let (said, _) = film.run(&["run", "--restart"]);
+    assert!(said.contains("5 frames computed\n") && said.contains("5 pictures made\n"), "{said}");
     assert!(film.files() == files);
     let untouched =
         film.times().into_iter().filter(|(n, time)| n.starts_with("export/film") && before.get(n) == Some(time));

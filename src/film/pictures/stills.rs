@@ -50,7 +50,7 @@ pub fn make_pictures_of_arrivals(
     arrivals: &Arrivals,
     watch: &mut Watch,
 ) -> Result<Pictured, FilmError> {
-    make(scene, folder, frames, arrivals, Ledger::open(folder)?, watch)
+    make(scene, folder, frames, arrivals, Ledger::open, watch)
 }
 
 /// As [`make_pictures_of_arrivals`], beside others who make pictures of other frames in the same folder. Only stills are made,
@@ -69,7 +69,7 @@ pub fn make_stills_beside_others(
     let mut scene = scene.clone();
     scene.output.animation.clear();
     scene.output.sheet = 0;
-    make(&scene, folder, frames, arrivals, Ledger::open_part(folder, first)?, watch)
+    make(&scene, folder, frames, arrivals, |folder| Ledger::open_part(folder, first), watch)
 }
 
 fn make(
@@ -77,11 +77,13 @@ fn make(
     folder: &Path,
     frames: &[usize],
     arrivals: &Arrivals,
-    ledger: Ledger,
+    ledger: impl FnOnce(&Path) -> Result<Ledger, FilmError>,
     watch: &mut Watch,
 ) -> Result<Pictured, FilmError> {
     let plan = Plan::of(scene)?;
     let mut survey = survey(&plan, folder, frames, arrivals, watch)?;
+    // A film that begins anew has forgotten its pictures by the time of its first frame, and not before.
+    let ledger = ledger(folder)?;
     let mut pictured = Pictured { made: 0, kept: frames.len() };
     if plan.png.is_some() || plan.output.has_layers() || !scene.output.animation.is_empty() {
         pictured = film(&plan, &mut survey, folder, frames, &ledger, watch)?;
