@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use clap::{CommandFactory, Parser};
 
-use super::arguments::{Arguments, Command, Film, SceneFile};
+use super::arguments::{Arguments, Command, Film, PictureOptions, SceneFile};
 use super::check;
 use super::diagnostics::one_line;
 use super::export::{self, Request, export};
@@ -17,7 +17,6 @@ use super::forecast::forecast;
 use super::gallery::gallery;
 use super::leftovers::clear_leftovers;
 use super::new::new;
-use super::picture_options::PictureOptions;
 use super::pipeline::{self, Making, Summary};
 use super::process::{Answers, Session, Signals, make_pool, supervised};
 use super::progress::{Kept, Log, LogFormat};

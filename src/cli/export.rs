@@ -3,9 +3,9 @@
 use std::io::Write;
 use std::path::Path;
 
+use super::arguments::FrameRange;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
-use super::frame_range::FrameRange;
 use super::leftovers::say_removed;
 use super::process::Session;
 use crate::film::{self, Arrivals, Exported, FilmFolder};

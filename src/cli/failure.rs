@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use super::frame_range::FrameRangeError;
+use super::arguments::FrameRangeError;
 use crate::evolve::EvolveError;
 use crate::film::{DiskError, FilmError};
 use crate::scene::{SceneError, SceneErrors};

@@ -64,13 +64,7 @@ fn show(
     if scene.name == SHOWN_IN_ALL_CLASSES {
         let all = work.join(format!("{SHOWN_IN_ALL_CLASSES}.sweep"));
         let set = [settings, &["spin.class=all".to_owned()]].concat();
-        let swept =
-            sweep(&Request { scene: path, mesh: None, set: &set, out: Some(&all), restart }, session, &mut io::sink());
-        session.let_go(&all);
-        swept?;
-        let failed = |source| Failure::Folder { path: poster.clone(), source };
-        let picture = fs::read(all.join(POSTER)).map_err(failed)?;
-        whole_file::write_unless_same(&poster, &picture).map_err(failed)?;
+        show_sweep(&Request { scene: path, mesh: None, set: &set, out: Some(&all), restart }, &all, &poster, session)?;
         return Ok(poster);
     }
     session.hold(&film)?;
@@ -82,6 +76,16 @@ fn show(
     session.let_go(&film);
     made?;
     Ok(poster)
+}
+
+/// Makes the films of a sweep in a folder, and their poster a picture of the gallery.
+fn show_sweep(request: &Request, folder: &Path, poster: &Path, session: &Session) -> Result<(), Failure> {
+    let swept = sweep(request, session, &mut io::sink());
+    session.let_go(folder);
+    swept?;
+    let failed = |source| Failure::Folder { path: poster.to_owned(), source };
+    let picture = fs::read(folder.join(POSTER)).map_err(failed)?;
+    whole_file::write_unless_same(poster, &picture).map_err(failed)
 }
 
 /// `scenes/*.toml`, in order.

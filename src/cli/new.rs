@@ -9,7 +9,7 @@ use crate::scene::{nearest, suggestion};
 use crate::whole_file;
 
 /// The scene of a name that is no recipe.
-const STARTER: &str = include_str!("starter.toml");
+const STARTER: &str = include_str!("recipes/starter.toml");
 
 /// A section of docs/cookbook.md, and the files that go with it.
 struct Recipe {

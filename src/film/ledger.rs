@@ -251,7 +251,8 @@ fn parts(folder: &Path) -> Result<Vec<PathBuf>, FilmError> {
     Ok(parts)
 }
 
-fn remove(path: &Path) -> Result<(), FilmError> {
+/// Removes a file, if it is there.
+pub(super) fn remove(path: &Path) -> Result<(), FilmError> {
     whole_file::remove(path).map_err(|error| FilmError::write(path, error))
 }
 

@@ -9,11 +9,10 @@ use std::{
 use super::animation::file_name;
 use super::disk::FilmFolder;
 use super::error::FilmError;
-use super::ledger::{Ledger, PAGE};
+use super::ledger::{Ledger, PAGE, remove};
 use super::pictures::{PREVIEW, SHEET};
 use super::report::REPORT;
 use crate::scene::{AnimationFormat, OutputSection};
-use crate::whole_file;
 
 /// What was found beside the pictures of a film, by name in order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -108,10 +107,6 @@ fn made_files(folder: &Path) -> Result<Vec<(String, Made)>, FilmError> {
     }
     files.sort_by(|(a, _), (b, _)| a.cmp(b));
     Ok(files)
-}
-
-fn remove(path: &Path) -> Result<(), FilmError> {
-    whole_file::remove(path).map_err(|error| FilmError::write(path, error))
 }
 
 /// Files that are made of a film.

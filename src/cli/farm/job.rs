@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use super::chunks::{chunks, frames_per_task, in_words};
 use super::words::{line_of, program, text_of};
+use crate::cli::arguments::FrameRange;
 use crate::cli::check::check;
 use crate::cli::failure::{Failure, PipelineError};
-use crate::cli::frame_range::FrameRange;
 use crate::cli::progress::Log;
 use crate::cli::set_up::folder_of;
 use crate::cli::sweep;

@@ -19,9 +19,9 @@ use clap::ValueEnum;
 
 use self::job::Job;
 use self::written::Written;
+use super::arguments::FrameRange;
 use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
-use super::frame_range::FrameRange;
 use super::process::Session;
 use super::shell;
 use super::sweep;

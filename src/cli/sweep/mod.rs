@@ -8,6 +8,7 @@ mod request;
 mod results;
 mod room;
 
+use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::Path;
 
@@ -38,21 +39,23 @@ pub(super) fn sweep(request: &Request, session: &Session, out: &mut impl Write) 
     let [at_once, threads] = room_for(runs.len(), rayon::current_num_threads(), first, faces);
     session.log.note(format_args!("{} runs, {at_once} at a time", runs.len()));
     let mut kept = Kept::begin(&folder, &first.name, request.command(&first.name), &runs, request.restart)?;
-    let mut ended = 0;
+    let mut inspections = BTreeMap::new();
     let mut failed = false;
     let work = Work { request, folder: &folder, at_once, threads };
     work.run(&runs, session, |&Ended { index, code, seconds }| {
-        (failed, ended) = (failed || code != Some(0), ended + 1);
+        failed |= code != Some(0);
         kept.add(&folder, index, seconds)?;
         let row = row_of(&folder, &kept.runs[index]);
+        let ended = inspections.len() + 1;
         session.log.note(format_args!("{ended} of {}: {}: {}", runs.len(), row.run.name, row.in_words()));
         if !matches!(code, Some(0 | 1)) || row.inspection.is_none() {
             let log = log_of(&folder, row.run);
             session.log.error(format_args!("{}: it failed; {} says why", row.run.name, log.display()));
         }
+        inspections.insert(index, row.inspection);
         Ok(())
     })?;
-    let rows: Vec<Row> = kept.runs.iter().map(|run| row_of(&folder, run)).collect();
+    let rows: Vec<Row> = kept.runs.iter().zip(inspections.into_values()).map(Row::from).collect();
     write(&folder.join("sweep.csv"), csv(&rows).as_bytes())?;
     write_rows(out, &rows)?;
     if has_page {

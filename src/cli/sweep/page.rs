@@ -3,13 +3,10 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use serde_json::{Value as Json, json};
-
 use super::kept::Kept;
 use super::results::{Row, key_of, value_of};
 use crate::cli::failure::PipelineError;
 use crate::cli::process::Session;
-use crate::evolve::FrameReport;
 use crate::film::{FilmRow, FilmTable, report_films};
 
 /// Writes the page of a sweep in its folder.
@@ -22,7 +19,7 @@ pub(super) fn write_page(folder: &Path, kept: &Kept, rows: &[Row], session: &Ses
     let film_row = |row: &Row| FilmRow {
         name: row.run.name.clone(),
         values: varied.iter().filter_map(|&k| row.run.settings.get(k)).map(|text| value_of(text).to_owned()).collect(),
-        last: row.last().map_or(Json::Null, numbers),
+        last: row.last().cloned(),
         checks: row.checks(),
         is_whole: row.is_whole(),
     };
@@ -34,21 +31,4 @@ pub(super) fn write_page(folder: &Path, kept: &Kept, rows: &[Row], session: &Ses
         rows: rows.iter().map(film_row).collect(),
     };
     Ok(report_films(folder, &table, &mut |event| session.log.pictures(event))?)
-}
-
-/// What the page tells of a last frame.
-fn numbers(last: &FrameReport) -> Json {
-    json!({
-        "l2_length_error": last.l2_length_error,
-        "p95_length_error": last.p95_length_error,
-        "max_length_error": last.max_length_error,
-        "rims": last.rims,
-        "pinch_points": last.pinch_points,
-        "class": last.spin_class,
-        "energy": last.energy,
-        "rms_bending_error": last.bending_error.map(|error| error.rms_degrees),
-        "steps": last.cursor.steps,
-        "restarts": last.cursor.restarts,
-        "converged": last.converged,
-    })
 }

@@ -18,6 +18,12 @@ pub(super) struct Row<'a> {
     pub inspection: Option<Inspection>,
 }
 
+impl<'a> From<(&'a KeptRun, Option<Inspection>)> for Row<'a> {
+    fn from((KeptRun { run, seconds }, inspection): (&'a KeptRun, Option<Inspection>)) -> Row<'a> {
+        Row { run, seconds: *seconds, inspection }
+    }
+}
+
 impl Row<'_> {
     pub fn last(&self) -> Option<&FrameReport> {
         self.inspection.as_ref()?.frames.last()
@@ -138,6 +144,6 @@ pub(super) fn write_rows(out: &mut impl Write, rows: &[Row]) -> io::Result<()> {
 }
 
 /// Reads the film of a run.
-pub(super) fn row_of<'a>(folder: &Path, KeptRun { run, seconds }: &'a KeptRun) -> Row<'a> {
-    Row { run, seconds: *seconds, inspection: Inspection::of(&folder.join(&run.name)).ok() }
+pub(super) fn row_of<'a>(folder: &Path, kept: &'a KeptRun) -> Row<'a> {
+    Row::from((kept, Inspection::of(&folder.join(&kept.run.name)).ok()))
 }

@@ -4,10 +4,11 @@ use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use serde_json::{Value as Json, json};
+use serde_json::json;
 
 use super::page::page_of_films;
 use super::work::REPORT;
+use crate::evolve::FrameReport;
 use crate::film::disk::FilmFolder;
 use crate::film::error::FilmError;
 use crate::film::kept_scene::scene_to_show;
@@ -21,8 +22,8 @@ pub struct FilmRow {
     pub name: String,
     /// The values that set it apart from the others, in the order of the keys.
     pub values: Vec<String>,
-    /// Numbers of its last frame, by column; `null` if there is none.
-    pub last: Json,
+    /// Its last frame; `None` if there is none.
+    pub last: Option<FrameReport>,
     /// "yes" if all that its scene asks for holds, "NO" if not, "-" if nothing is asked for.
     pub checks: &'static str,
     /// Whether all of its frames are there.

@@ -33,11 +33,11 @@ impl Table<'_> {
         of: &[(&'static str, T)],
         default: T,
     ) -> T {
-        let names: Vec<&'static str> = of.iter().map(|(name, _)| *name).collect();
-        let index = self.name_among(name, &names);
-        let usual = of.iter().find(|(_, value)| *value == default).map(|(name, _)| (*name).into());
-        self.fields.push(Field { name, doc, kind: Kind::Choice(names), default: usual, required: false });
-        index.map_or(default, |index| of[index].1.clone())
+        let chosen = self.choice(name, doc, of);
+        if let Some(field) = self.fields.last_mut() {
+            field.default = of.iter().find(|(_, value)| *value == default).map(|(name, _)| (*name).into());
+        }
+        chosen.unwrap_or(default)
     }
 
     /// Reads one of several names, or a list of them.

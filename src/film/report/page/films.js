@@ -6,9 +6,9 @@ const COLUMNS = [
   ["largest", (last) => [last.max_length_error, percent(last.max_length_error)]],
   ["rims", (last) => [last.rims, String(last.rims)]],
   ["pinch points", (last) => [last.pinch_points, String(last.pinch_points)]],
-  ["class", (last) => last.class || "–"],
+  ["class", (last) => last.spin_class || "–"],
   ["energy", (last) => [last.energy, short(last.energy)]],
-  ["bending error", (last) => (last.rms_bending_error == null ? "–" : [last.rms_bending_error, `${short(last.rms_bending_error)}°`])],
+  ["bending error", (last) => (last.bending_error ? [last.bending_error.rms_degrees, `${short(last.bending_error.rms_degrees)}°`] : "–")],
   ["steps", (last) => [last.steps, String(last.steps)]],
   ["drawn anew", (last) => [last.restarts, String(last.restarts)]],
   ["settled", (last) => (last.converged ? "yes" : "NO")],
@@ -54,7 +54,7 @@ function pictures() {
 
 function tableOfRuns() {
   // What none of the films has is left out.
-  const has = { "bending error": (last) => last.rms_bending_error != null, "drawn anew": (last) => last.restarts > 0, class: (last) => last.class };
+  const has = { "bending error": (last) => last.bending_error, "drawn anew": (last) => last.restarts > 0, class: (last) => last.spin_class };
   const shows = COLUMNS.filter(([name]) => !has[name] || facts.runs.some((run) => run.last && has[name](run.last)));
   const isNumber = (text) => text !== "" && !Number.isNaN(Number(text)) && !/^0\d/.test(text);
   const numeric = facts.keys.map((_, k) => facts.runs.every((run) => isNumber(run.values[k])));

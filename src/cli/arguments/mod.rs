@@ -1,15 +1,19 @@
 //! What can be typed.
 
+mod frame_range;
+mod names;
+mod picture_options;
+
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand};
 
+pub use self::frame_range::{FrameRange, FrameRangeError};
+use self::names::one_of;
+pub(super) use self::picture_options::PictureOptions;
 use super::farm::Engine;
-use super::frame_range::FrameRange;
-use super::names::one_of;
 use super::new::recipes;
-use super::picture_options::PictureOptions;
 use super::progress::LogFormat;
 use crate::scene::ExportFormat;
 

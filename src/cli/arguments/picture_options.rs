@@ -4,15 +4,14 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 
-use super::frame_range::number;
+use super::frame_range::{FrameRange, FrameRangeError, number};
 use super::names::one_of;
-use super::{FrameRange, FrameRangeError};
 use crate::render::LookName;
 use crate::scene::{AnimationFormat, LookSection, Scene};
 
 /// Flags of `run` and `render`; what is left out is as the scene says.
 #[derive(Args, Clone, Debug, Default)]
-pub(super) struct PictureOptions {
+pub(in crate::cli) struct PictureOptions {
     /// Which frames become pictures, as in 1-20,30-240:4 [default: all]
     #[arg(long, value_name = "RANGE", help_heading = HEADING)]
     frames: Option<FrameRange>,
