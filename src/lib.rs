@@ -17,6 +17,7 @@ pub mod spin;
 
 pub mod frames;
 pub mod immersion;
+pub mod polish;
 
 pub mod evolve;
 pub mod render;

@@ -105,3 +105,60 @@ pub const PINNED_LENGTH_TOLERANCE: f64 = 1e-3;
 
 /// Shortest paths between pins are looked for from so many of the pinned vertices, spread over all of them.
 pub const PINNED_PATH_SOURCES: usize = 16;
+
+/// The angle from which on hinges are held open while a surface is polished, in radians (140°).
+pub const BARRIER_ANGLE: f64 = 140.0 / 180.0 * std::f64::consts::PI;
+
+/// Weight of that barrier, relative to bending.
+pub const BARRIER_WEIGHT: f64 = 10.0;
+
+/// What holds a surface to its place while it is polished, so that rigid motions have an answer; strain weighs 1.
+pub const POLISH_ANCHOR: f64 = 1e-13;
+
+/// The least share of its area that a face may be left with by a step of polish.
+pub const FACE_AREA_LEFT: f64 = 0.2;
+
+/// The largest turn of a hinge in a step of polish, in radians (86°). An angle that passes 180° jumps by more.
+pub const LARGEST_HINGE_TURN: f64 = 1.5;
+
+/// How often a step of polish is halved before it is given up.
+pub const HALVINGS_OF_A_POLISH_STEP: usize = 20;
+
+/// What the weight of bending is multiplied with between two steps of polish: as a rule, and after whole steps that move
+/// no vertex farther than [`FAR_MOVE`] and [`NEAR_MOVE`].
+pub const POLISH_FADES: [f64; 3] = [0.5, 0.1, 0.01];
+
+/// Steps of polish with the same weight of bending. With one, tori end with more bending.
+pub const STEPS_PER_STIFFNESS: usize = 2;
+
+/// A short move in mean edge lengths.
+pub const FAR_MOVE: f64 = 0.03;
+
+/// A very short move in mean edge lengths.
+pub const NEAR_MOVE: f64 = 0.003;
+
+/// The weight of bending at which polish ends.
+pub const SOFTEST_POLISH: f64 = 1e-30;
+
+/// L2 length error at which edges have their lengths: that of rounding.
+pub const ISOMETRIC: f64 = 1e-14;
+
+/// The share by which length errors must get better in eight steps, once bending does not hold them back any more.
+pub const POLISH_GAIN: f64 = 0.02;
+
+/// Weights of bending that polish begins with where the surface may move but little: about that which frames were relaxed with.
+pub const GENTLE_POLISH: [f64; 1] = [1e-4];
+
+/// Where it may go far, on surfaces without handles, which have an isometric immersion near them or none.
+pub const FIRM_POLISH: [f64; 1] = [1e-3];
+
+/// On surfaces with handles, whose lengths are over-determined: they have to find a fit on a way of their own, and of two the
+/// better one is taken.
+pub const STIFF_POLISH: [f64; 2] = [0.3, 1.0];
+
+/// L2 length error at which no further attempt is made.
+pub const ACCURATE_POLISH: f64 = 1e-8;
+
+/// Faces up to which a static scene is polished without being asked to. Sparse factors of three unknowns a vertex take 4 s and
+/// 2 GB there.
+pub const MOST_FACES_TO_POLISH: usize = 200_000;

@@ -4,6 +4,7 @@ use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use immerse::evolve::{self, Observer};
+use immerse::polish::PolishStep;
 use pyo3::prelude::*;
 
 /// How often signals are looked for where nobody asks to be told of every step.
@@ -109,6 +110,16 @@ impl Observer for Watcher {
         match self.look(now) {
             Ok(true) => ControlFlow::Continue(()),
             Ok(false) => ControlFlow::Break(()),
+            Err(error) => {
+                self.raised = Some(error);
+                ControlFlow::Break(())
+            }
+        }
+    }
+
+    fn after_polish_step(&mut self, _: &PolishStep) -> ControlFlow<()> {
+        match Python::attach(|py| py.check_signals()) {
+            Ok(()) => ControlFlow::Continue(()),
             Err(error) => {
                 self.raised = Some(error);
                 ControlFlow::Break(())

@@ -3,6 +3,7 @@
 pub mod quaternion;
 
 mod block;
+mod block_cholesky;
 mod block_sparse;
 mod cholesky;
 mod complex;
@@ -16,6 +17,7 @@ mod strips;
 mod supernodes;
 
 pub use block::Block;
+pub use block_cholesky::BlockCholesky;
 pub use block_sparse::{BlockMatrix, BlockVector, PairBlocks};
 pub use cholesky::{CholeskyError, Entry, SparseCholesky};
 pub use complex::Complex;

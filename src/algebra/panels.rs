@@ -24,6 +24,16 @@ impl Panels {
         Panels { planes: (0..planes).map(|_| vec![0.0; supernodes.len()]).collect() }
     }
 
+    /// All numbers 0 again.
+    pub fn clear(&mut self) {
+        self.planes.iter_mut().for_each(|plane| plane.fill(0.0));
+    }
+
+    /// The real parts.
+    pub fn real(&mut self) -> &mut [f64] {
+        &mut self.planes[0]
+    }
+
     pub fn add(&mut self, place: usize, parts: [f64; 2]) {
         self.planes.iter_mut().zip(parts).for_each(|(plane, part)| plane[place] += part);
     }

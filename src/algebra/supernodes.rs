@@ -56,6 +56,22 @@ impl Supernodes {
         Ok(Supernodes { row_of_unknown, of_row, begins, below, below_begins, panel_begins })
     }
 
+    /// Of the matrix that has a full block of `size` rows and columns wherever this one has a number.
+    pub fn in_blocks_of(&self, size: usize) -> Supernodes {
+        let several = |rows: &[u32]| -> Vec<u32> {
+            rows.iter().flat_map(|row| (0..size as u32).map(move |k| row * size as u32 + k)).collect()
+        };
+        let scaled = |begins: &[usize]| -> Vec<usize> { begins.iter().map(|begin| begin * size).collect() };
+        Supernodes {
+            row_of_unknown: several(&self.row_of_unknown),
+            of_row: self.of_row.iter().flat_map(|s| std::iter::repeat_n(*s, size)).collect(),
+            begins: scaled(&self.begins),
+            below: several(&self.below),
+            below_begins: scaled(&self.below_begins),
+            panel_begins: scaled(&scaled(&self.panel_begins)),
+        }
+    }
+
     pub fn count(&self) -> usize {
         self.panel_begins.len() - 1
     }

@@ -13,6 +13,7 @@ use super::set_up::{SetUp, at_fault, contradictions, frame_keys};
 use crate::advice::Advice;
 use crate::evolve::{self, Observer, Simulation};
 use crate::film::{self, Arrivals, DiskError, FilmFolder, FilmSpec, Pictured, Plan};
+use crate::polish::PolishStep;
 use crate::scene::Scene;
 
 /// What a command has done.
@@ -233,6 +234,11 @@ struct Watcher<'a> {
 impl Observer for Watcher<'_> {
     fn after_step(&mut self, now: &evolve::Progress) -> ControlFlow<()> {
         self.log.step(now);
+        if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    }
+
+    fn after_polish_step(&mut self, now: &PolishStep) -> ControlFlow<()> {
+        self.log.polish_step(now);
         if self.arrivals.is_stopped() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }

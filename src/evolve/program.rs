@@ -43,6 +43,10 @@ pub struct Program {
     pub clock: Clock,
     /// What happens between two frames.
     pub pace: Pace,
+    /// Which frames are polished.
+    pub polish: Polishing,
+    /// By which share polish may make the mean bending angle grow.
+    pub max_bending_growth: f64,
 }
 
 impl Program {
@@ -60,8 +64,25 @@ impl Program {
             is_smooth: true,
             clock: Clock::STILL,
             pace: Pace::default(),
+            polish: Polishing::default(),
+            max_bending_growth: MAX_BENDING_GROWTH,
         }
     }
+}
+
+/// By which share polish may make the mean bending angle grow, where nothing else is asked for.
+pub const MAX_BENDING_GROWTH: f64 = 0.2;
+
+/// Which frames of a film are polished.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Polishing {
+    /// None: positions are those that frames integrate to.
+    Off,
+    /// The last one, and of a film with a class a frame all: nothing follows after them, so that they may go far for what they gain.
+    #[default]
+    Last,
+    /// Every one, each by as little as it takes, so that frames lie as near to each other as before.
+    Every,
 }
 
 /// The class that is asked for.

@@ -1,5 +1,6 @@
 //! Watching and stopping a running simulation.
 
+use crate::polish::PolishStep;
 use std::ops::ControlFlow;
 
 /// The state of a relaxation after a step.
@@ -40,6 +41,11 @@ pub struct Progress {
 pub trait Observer {
     /// Called after every step. `Break` ends the simulation with [`super::EvolveError::Stopped`].
     fn after_step(&mut self, progress: &Progress) -> ControlFlow<()>;
+
+    /// Called after every step of polish. `Break` ends the simulation likewise.
+    fn after_polish_step(&mut self, _: &PolishStep) -> ControlFlow<()> {
+        ControlFlow::Continue(())
+    }
 }
 
 impl<F: FnMut(&Progress) -> ControlFlow<()>> Observer for F {

@@ -4,10 +4,11 @@ use super::ahead::contradictions;
 use super::ahead::{LookAhead, keys_of, origin_of};
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
+use super::finish::{Finished, Reach, finish};
 use super::frame::{Frame, check_face_frames};
 use super::pace::Pace;
 use super::places::Row;
-use super::program::Program;
+use super::program::{Polishing, Program};
 use super::progress::Observer;
 use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
 use super::report::{compare, measure};
@@ -44,6 +45,8 @@ pub struct Simulation {
     course: Course,
     clock: Clock,
     pace: Pace,
+    polish: Polishing,
+    max_bending_growth: f64,
     /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
     origin: Key,
     /// The components, each relaxed on its own.
@@ -66,7 +69,7 @@ impl Simulation {
         surface.check().map_err(SetupError::Surface)?;
         let origin = origin_of(&surface, &program);
         let Surface { mesh, positions: mesh_positions, .. } = surface;
-        let Program { metric, bending, pins, class, start, clock, pace, .. } = program;
+        let Program { metric, bending, pins, class, start, clock, pace, polish, max_bending_growth, .. } = program;
         if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
             return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
         }
@@ -104,6 +107,8 @@ impl Simulation {
             course,
             clock,
             pace,
+            polish,
+            max_bending_growth,
             origin,
             components,
             frame: 0,
@@ -153,7 +158,7 @@ impl Simulation {
         }
         self.frame += 1;
         self.take_metric(time)?;
-        self.frame_since(begin)
+        self.frame_since(begin, observer)
     }
 
     /// Relaxes the frames at the present time through all phases that are left, and integrates the surface.
@@ -163,7 +168,7 @@ impl Simulation {
     pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.relax(observer))?;
-        self.frame_since(begin)
+        self.frame_since(begin, observer)
     }
 
     /// Takes so many steps of the relaxation at the present time, or fewer until all phases are done, and integrates the
@@ -174,7 +179,7 @@ impl Simulation {
     pub fn advance(&mut self, steps: usize, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let begin = Instant::now();
         self.components.iter_mut().try_for_each(|relaxation| relaxation.advance(steps, observer))?;
-        self.frame_since(begin)
+        self.frame_since(begin, observer)
     }
 
     /// Goes on after a frame of an earlier run of the same program, to the same bits.
@@ -344,17 +349,32 @@ impl Simulation {
         self.components.iter().map(own).collect()
     }
 
+    /// How far polish may go with the frame that was made now; `None` if it is not to be polished.
+    fn reach(&self) -> Option<Reach> {
+        if self.components.iter().any(Relaxation::is_on_the_way) {
+            return None;
+        }
+        let is_last = matches!(self.pace, Pace::EachClass) || self.frame.max(1) == self.clock.frames();
+        match self.polish {
+            Polishing::Off => None,
+            Polishing::Last => is_last.then_some(Reach::Far),
+            Polishing::Every if self.clock.frames() == 1 || matches!(self.pace, Pace::EachClass) => Some(Reach::Far),
+            Polishing::Every => Some(Reach::Near),
+        }
+    }
+
     fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
         let asked = self.course.metric(time)?;
         (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
         Ok(())
     }
 
-    /// The frame as it is now; the work on it began at a time of the wall clock.
+    /// The frame as it is now, polished if it is to be; the work on it began at a time of the wall clock.
     ///
     /// # Errors
-    /// [`EvolveError::Unfit`] if it could not be read again: some number is not finite.
-    fn frame_since(&mut self, begin: Instant) -> Result<Arc<Frame>, EvolveError> {
+    /// [`EvolveError::Unfit`] if it could not be read again: some number is not finite. [`EvolveError::Stopped`] if the
+    /// observer stops it.
+    fn frame_since(&mut self, begin: Instant, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
         let row = Row {
             mesh_positions: self.mesh_positions.as_deref(),
             previous: self.previous.as_ref().map(|previous| &*previous.positions),
@@ -362,8 +382,16 @@ impl Simulation {
             is_of_relaxation: matches!(self.pace, Pace::Steps(_)),
         };
         let positions = row.place(&mut self.components, self.mesh.vertex_count());
+        let finished = match self.reach() {
+            Some(reach) => Some(finish(&self.components, &positions, reach, self.max_bending_growth, observer)?),
+            None => None,
+        };
+        let (positions, face_frames, polish) = match finished {
+            Some(Finished { positions, face_frames, report }) => (positions, face_frames, Some(report)),
+            None => (positions, None, None),
+        };
         let Simulation { mesh, metric, homology, components, .. } = self;
-        let (rims, mut report) = measure(mesh, metric, homology, components, &positions);
+        let (rims, mut report) = measure(mesh, metric, homology, components, &positions, polish);
         report.frame = self.frame;
         report.time = self.clock.time(self.frame.max(1));
         report.curvature_error = self.curvature_error;
@@ -371,7 +399,7 @@ impl Simulation {
             && (self.course.changes() || self.components.iter().any(Relaxation::is_on_the_way));
         let mut frame = Frame {
             positions,
-            face_frames: self.face_frames(),
+            face_frames: face_frames.unwrap_or_else(|| self.face_frames()),
             spin: self.spin(),
             edge_lengths: self.metric.edge_lengths().to_vec(),
             rims,

@@ -5,7 +5,7 @@ use super::discretization::Discretization;
 use super::error::{EvolveError, SetupError};
 use super::frame::Frame;
 use crate::frames::Shell;
-use crate::immersion::{edge_vectors, frames_of_positions, l2_length_error, rims};
+use crate::immersion::{edge_vectors, frames_of_positions, is_figure_8, l2_length_error, rimless_frames, rims};
 use crate::mesh::{Component, EdgeId, Mesh, VertexId};
 use crate::metric::Metric;
 use crate::spin::{ChangeOfMetric, Class, Homology, SpinStructure};
@@ -156,6 +156,17 @@ impl State {
     /// Edges with rim bit 1 of the surface at these positions, in order.
     pub fn rims_at(&self, positions: &[DVec3]) -> Vec<EdgeId> {
         rims(self.shell(), &self.frames_at(positions))
+    }
+
+    /// As [`State::rims_at`], whatever the frames of the state are.
+    pub fn rims_of_surface(&self, positions: &[DVec3]) -> Vec<EdgeId> {
+        rims(self.shell(), &rimless_frames(self.mesh(), &self.metric, self.shell(), positions))
+    }
+
+    /// The class of the surface at these positions, which has no pinch points.
+    pub fn class_at(&self, positions: &[DVec3]) -> Class {
+        let generators = self.homology.generators().iter();
+        Class::new(generators.map(|generator| is_figure_8(self.mesh(), positions, &generator.strip)).collect())
     }
 
     /// L2 length error of the surface at these positions.

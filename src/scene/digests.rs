@@ -57,6 +57,7 @@ impl Scene {
             ),
             ("pin", Digest::of("pin").shown(&self.pins)),
             ("clock", Digest::of("clock").shown(&self.clock)),
+            ("polish", Digest::of("polish").shown(&self.polish)),
         ];
         sections.into_iter().map(|(name, digest)| (name.to_owned(), digest.finish())).collect()
     }

@@ -17,6 +17,7 @@ mod frames;
 mod immersion;
 mod mesh;
 mod metric;
+mod polish;
 mod render;
 mod scene;
 mod spin;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use crate::evolve::{Observer, Pace, Phase, Program, Progress, Schedule, Settling, SetupError, Simulation};
+use crate::evolve::{Observer, Pace, Phase, Polishing, Program, Progress, Schedule, Settling, SetupError, Simulation};
 use crate::mesh::Surface;
 
 /// Steps of each phase that are tried.
@@ -66,7 +66,7 @@ fn few_steps(program: Program) -> Program {
         }
         Pace::EachClass => Pace::EachClass,
     };
-    Program { schedule: schedule.unwrap_or_else(|_| program.schedule.clone()), pace, ..program }
+    Program { schedule: schedule.unwrap_or_else(|_| program.schedule.clone()), pace, polish: Polishing::Off, ..program }
 }
 
 /// Whether a frame was made before it was stopped. What goes wrong so early would not in a run, or be told there.

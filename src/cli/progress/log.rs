@@ -11,6 +11,7 @@ use super::voice::{LogFormat, Voice};
 use crate::cli::diagnostics::{explain, one_line};
 use crate::evolve::{FrameReport, Progress};
 use crate::film::Event;
+use crate::polish::PolishStep;
 use crate::scene::SceneErrors;
 
 /// Says what happens. Those who hold a clone say it to the same.
@@ -100,7 +101,7 @@ impl Log {
     pub fn begin_film(&self, kept: usize, of: usize) {
         let mut pace = Pace::default();
         pace.begin();
-        self.state().standing.frames = Some(Frames { of, done: kept, now: None, pace });
+        self.state().standing.frames = Some(Frames { of, done: kept, now: None, polish: None, pace });
         self.tick();
     }
 
@@ -112,13 +113,21 @@ impl Log {
         self.tick();
     }
 
+    /// A step of polish was taken.
+    pub fn polish_step(&self, step: &PolishStep) {
+        if let Some(frames) = &mut self.state().standing.frames {
+            frames.polish = Some(*step);
+        }
+        self.tick();
+    }
+
     /// A frame is done and on disk.
     pub fn frame_done(&self, report: &FrameReport) {
         let state = &mut *self.state();
         if let Some(frames) = &mut state.standing.frames {
             // The first one is relaxed from nothing, the others follow.
             frames.pace.done(report.frame > 1);
-            (frames.done, frames.now) = (report.frame, None);
+            (frames.done, frames.now, frames.polish) = (report.frame, None, None);
         }
         if !state.is_quiet {
             state.voice.record("frame", Facts::of_frame(&state.standing, report));

@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::estimate::{Pace, in_words};
 use crate::cli::results::percent;
 use crate::evolve::Progress;
+use crate::polish::PolishStep;
 
 /// How far a run is.
 #[derive(Debug, Default)]
@@ -26,6 +27,8 @@ pub(super) struct Frames {
     pub done: usize,
     /// The last step of the one that is being made.
     pub now: Option<Progress>,
+    /// The last step of its polish.
+    pub polish: Option<PolishStep>,
     pub pace: Pace,
 }
 
@@ -123,6 +126,9 @@ pub(super) fn doing(step: &Progress) -> &'static str {
 
 fn words_for(frames: &Frames) -> String {
     let mut text = format!("frame {} of {}", frames.done + 1, frames.of);
+    if let Some(step) = &frames.polish {
+        return text + &format!(", polishing, error {}", percent(step.l2_length_error));
+    }
     let Some(step) = &frames.now else { return text };
     text += ", ";
     text += doing(step);

@@ -55,16 +55,22 @@ fn step(phase: usize) -> Progress {
 fn words() {
     let mut standing = Standing { setting_up: true, ..Standing::default() };
     assert_eq!(standing.line().as_deref(), Some("setting up"));
-    let mut frames = Frames { of: 120, done: 11, now: Some(step(5)), pace: Pace::default() };
+    let mut frames = Frames { of: 120, done: 11, now: Some(step(5)), polish: None, pace: Pace::default() };
     standing.frames = Some(frames);
     assert_eq!(standing.line().as_deref(), Some("frame 12 of 120, settling, error 0.31 %, 4 rims"));
-    frames = Frames { of: 120, done: 0, now: Some(Progress { components: 2, ..step(1) }), pace: Pace::default() };
+    frames = Frames {
+        of: 120,
+        done: 0,
+        now: Some(Progress { components: 2, ..step(1) }),
+        polish: None,
+        pace: Pace::default(),
+    };
     let words = "frame 1 of 120, relaxing (component 1 of 2, phase 2 of 5), error 0.31 %, 4 rims";
     standing.frames = Some(frames);
     assert_eq!(standing.line().as_deref(), Some(words));
     standing.count_pictures(Pictures { stage: "camera", of: 120, done: 11, pace: Pace::default() });
     assert_eq!(standing.line().as_deref(), Some(words));
-    frames = Frames { of: 120, done: 120, now: None, pace: Pace::default() };
+    frames = Frames { of: 120, done: 120, now: None, polish: None, pace: Pace::default() };
     standing.frames = Some(frames);
     standing.count_pictures(Pictures { stage: "render", of: 120, done: 4, pace: Pace::default() });
     assert_eq!(standing.line().as_deref(), Some("all 120 frames done, pictures 4 of 120"));

@@ -9,7 +9,7 @@ use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::EvolveError;
 use crate::evolve::follow::Station;
 use crate::evolve::pace::{Pace, Settling};
-use crate::evolve::program::{AskedClass, Orientation, Program, Start};
+use crate::evolve::program::{AskedClass, Orientation, Polishing, Program, Start};
 use crate::evolve::relax::{Phase, TimeStep};
 use crate::frames::Method;
 use crate::mesh::{Component, Mesh, Surface, VertexId};
@@ -116,8 +116,21 @@ fn add(digest: Digest, course: &mut Course, time: f64) -> Result<Digest, EvolveE
 /// A key of what all frames depend on.
 pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key {
     // Every field is named here, so that none is forgotten. What changes with time is asked for frame by frame.
-    let Program { metric: _, bending, pins: _, class, start, orientation, schedule, accuracy, is_smooth, clock, pace } =
-        program;
+    let Program {
+        metric: _,
+        bending,
+        pins: _,
+        class,
+        start,
+        orientation,
+        schedule,
+        accuracy,
+        is_smooth,
+        clock,
+        pace,
+        polish,
+        max_bending_growth,
+    } = program;
     let Surface { mesh, positions, .. } = surface;
     let digest = Digest::of("origin").count(ALGORITHM as usize);
     let digest = add_mesh(digest, mesh, positions.as_deref());
@@ -151,6 +164,12 @@ pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key 
             .text("settle")
             .numbers([settling.tolerance_radians(), settling.max_strain()])
             .count(settling.max_steps()),
+    };
+    // A film that is not polished has the keys that it had before there was polish.
+    let digest = match polish {
+        Polishing::Off => digest,
+        Polishing::Last => digest.text("polish last").count(clock.frames()).number(*max_bending_growth),
+        Polishing::Every => digest.text("polish every").number(*max_bending_growth),
     };
     digest.finish()
 }

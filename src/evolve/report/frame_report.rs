@@ -2,6 +2,7 @@
 
 use crate::evolve::relax::Cursor;
 use crate::frames::Stiffness;
+use crate::polish::PolishReport;
 use serde::{Deserialize, Serialize};
 
 /// What one of several components is worth.
@@ -114,6 +115,10 @@ pub struct FrameReport {
     pub largest_dent: Option<f64>,
     /// With target bending angles: how far the surface is from them.
     pub bending_error: Option<BendingError>,
+    /// What polish did, where the frame was polished. All other measures are those of the polished surface, but for the energy
+    /// and the period part, which are about the frames before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub polish: Option<PolishReport>,
     /// Where what may be wrong with the frame is to be looked for.
     pub places: Places,
     /// The components one by one, where there are several.
@@ -184,6 +189,7 @@ impl FrameReport {
             enclosed_volume,
             largest_dent,
             bending_error,
+            polish,
             places,
             components,
             cursor,
@@ -219,11 +225,21 @@ impl FrameReport {
             let ComponentReport { l2_length_error, max_length_error, cursor, .. } = *part;
             [l2_length_error, max_length_error, cursor.dt, cursor.turn]
         });
+        let of_polish = polish.map_or([0.0; 5], |polish| {
+            [
+                polish.l2_length_error_before,
+                polish.max_length_error_before,
+                polish.l2_length_error,
+                polish.mean_bending_before,
+                polish.mean_bending,
+            ]
+        });
         let named = |name: &'static str| move |number: f64| (name, number);
         let mut numbers = (always.into_iter())
             .chain(sometimes.into_iter().filter_map(|(name, number)| Some((name, number?))))
             .chain(stiffness.map(named("stiffness")))
             .chain(of_bending.map(named("bending_error")))
+            .chain(of_polish.map(named("polish")))
             .chain(of_components.map(named("components")))
             .chain([cursor.dt, cursor.turn].map(named("cursor")));
         numbers.find(|(_, number)| !number.is_finite()).map(|(name, _)| name)

@@ -8,6 +8,7 @@ use crate::frames::{Stiffness, energy};
 use crate::immersion::{RigidMotion, enclosed_volume, is_figure_8, length_error, pinch_points};
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::{Metric, largest_strain};
+use crate::polish::{Ending, PolishReport};
 use crate::spin::{Class, Homology};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -21,8 +22,10 @@ pub(in crate::evolve) fn measure(
     homology: &Homology,
     components: &[Relaxation],
     positions: &[DVec3],
+    polish: Option<PolishReport>,
 ) -> (Vec<EdgeId>, FrameReport) {
-    let parts: Vec<Part> = components.iter().map(|relaxation| Part::of(relaxation, positions)).collect();
+    let part = |relaxation| Part::of(relaxation, positions, polish.is_some());
+    let parts: Vec<Part> = components.iter().map(part).collect();
     let mut rims: Vec<EdgeId> = parts.iter().flat_map(|part| part.rims.iter().copied()).collect();
     rims.sort_unstable();
     let pinch_points = pinch_points(mesh, positions);
@@ -52,6 +55,7 @@ pub(in crate::evolve) fn measure(
         enclosed_volume: enclosed_volume(mesh, positions),
         largest_dent: parts.iter().map(|part| part.dent).reduce(|a, b| Some(a?.max(b?))).flatten(),
         bending_error: bending.map(|sums| sums.error()),
+        polish,
         places: worst_places(mesh, metric, positions, &rims, &pinch_points),
         cursor: Cursor::of_all(&cursors),
         converged: components.iter().all(Relaxation::has_converged),
@@ -72,6 +76,28 @@ pub(in crate::evolve) fn compare(mesh: &Mesh, previous: &Frame, frame: &mut Fram
     report.max_move = moves[moves.len() - 1];
     report.strain = largest_strain(&previous.edge_lengths, &frame.edge_lengths);
     [report.rims_born, report.rims_died, report.rims_moved] = rim_changes(mesh, &previous.rims, &frame.rims);
+}
+
+/// What polish did to the whole surface, from what it did to its components; it ended as that one did which came least far.
+pub(in crate::evolve) fn whole(reports: &[PolishReport], components: &[Relaxation]) -> PolishReport {
+    let edges = |k: usize| components[k].state().mesh().edge_count() as f64;
+    let total: f64 = (0..reports.len()).map(edges).sum();
+    let mean = |value: &dyn Fn(&PolishReport) -> f64| {
+        reports.iter().enumerate().map(|(k, report)| edges(k) * value(report)).sum::<f64>() / total
+    };
+    let most = |value: &dyn Fn(&PolishReport) -> f64| reports.iter().map(value).fold(0.0, f64::max);
+    match reports {
+        [only] => *only,
+        _ => PolishReport {
+            l2_length_error_before: mean(&|report| report.l2_length_error_before.powi(2)).sqrt(),
+            max_length_error_before: most(&|report| report.max_length_error_before),
+            l2_length_error: mean(&|report| report.l2_length_error.powi(2)).sqrt(),
+            mean_bending_before: mean(&|report| report.mean_bending_before),
+            mean_bending: mean(&|report| report.mean_bending),
+            steps: reports.iter().map(|report| report.steps).sum(),
+            ending: reports.iter().map(|report| report.ending).max().unwrap_or(Ending::Unchanged),
+        },
+    }
 }
 
 /// The weights of the last phase.
@@ -97,11 +123,11 @@ struct Part {
 
 impl Part {
     /// `positions` are those of the whole.
-    fn of(relaxation: &Relaxation, positions: &[DVec3]) -> Part {
+    fn of(relaxation: &Relaxation, positions: &[DVec3], is_polished: bool) -> Part {
         let state = relaxation.state();
         let (component, mesh, metric) = (state.component(), state.mesh(), state.metric());
         let positions = component.vertices.pick(positions);
-        let rims = state.rims_at(&positions);
+        let rims = if is_polished { state.rims_of_surface(&positions) } else { state.rims_at(&positions) };
         let pin_distances = state.pins().iter().map(|(v, place)| positions[v.index()].distance(*place));
         let original = relaxation.placement().original();
         let mut report = ComponentReport {

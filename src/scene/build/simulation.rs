@@ -1,10 +1,11 @@
 //! A scene as a simulation.
 
 use super::clock::clock_of;
-use crate::evolve::{AskedClass, Program, Simulation};
+use crate::evolve::{AskedClass, Polishing, Program, Simulation};
 use crate::immersion::TargetBending;
 use crate::mesh::Surface;
-use crate::scene::{Scene, SceneError, SpinSection};
+use crate::scene::{ClockSection, Scene, SceneError, SpinSection};
+use crate::tuning::MOST_FACES_TO_POLISH;
 
 impl Scene {
     /// The simulation of the scene.
@@ -49,7 +50,20 @@ impl Scene {
             is_smooth: self.is_smooth(),
             clock,
             pace: self.pace(&section, changes)?,
+            polish: self.polishing(&section, surface.mesh.face_count()),
+            max_bending_growth: self.polish.max_bending_growth,
         })
+    }
+
+    /// Which frames are polished. What takes long for what it gains has to be asked for.
+    fn polishing(&self, clock: &ClockSection, faces: usize) -> Polishing {
+        let is_usual = clock.frames == 1 || self.spin == SpinSection::All;
+        let usual = if is_usual && clock.accuracy.is_none() && faces <= MOST_FACES_TO_POLISH {
+            Polishing::Last
+        } else {
+            Polishing::Off
+        };
+        self.polish.enabled.unwrap_or(usual)
     }
 
     fn asked_class(&self) -> Result<AskedClass, SceneError> {

@@ -35,7 +35,7 @@ pub use phase::{LikeDefault, PhaseSection, RelaxationSection};
 pub use picture::{
     AnimationFormat, CameraKeySection, CameraSection, ExportFormat, Framed, LightSection, OutputSection,
 };
-pub use time::{ClockSection, NumberSection};
+pub use time::{ClockSection, NumberSection, PolishSection};
 
 /// A whole scene.
 #[derive(Clone, Debug, Default)]
@@ -66,6 +66,8 @@ pub struct Scene {
     pub pins: Vec<PinSection>,
     /// Frames and their times.
     pub clock: ClockSection,
+    /// Which frames are polished.
+    pub polish: PolishSection,
     /// The view.
     pub camera: CameraSection,
     /// Lights; empty means the studio's three.

@@ -1,5 +1,6 @@
 //! `[clock]`, and numbers that change with time.
 
+use crate::evolve::{MAX_BENDING_GROWTH, Polishing};
 use crate::timeline::{Ease, Extrapolation};
 
 /// A number that may change with time.
@@ -20,6 +21,21 @@ pub enum NumberSection {
         /// Outside of them.
         extrapolation: Extrapolation,
     },
+}
+
+/// `[polish]`
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolishSection {
+    /// Which frames are polished; left out, that of a static scene, and all where each class has one.
+    pub enabled: Option<Polishing>,
+    /// By which share the mean bending angle may grow.
+    pub max_bending_growth: f64,
+}
+
+impl Default for PolishSection {
+    fn default() -> Self {
+        Self { enabled: None, max_bending_growth: MAX_BENDING_GROWTH }
+    }
 }
 
 /// `[clock]`

@@ -7,6 +7,7 @@ use toml::de::DeValue;
 use super::problems::Problem;
 use super::spelling::suggestion;
 use super::value::{Bounds, Kind, Value, shown};
+use crate::evolve::Polishing;
 use crate::mesh::{Selection, Weld};
 use crate::text::clipped;
 
@@ -92,6 +93,30 @@ impl Value for Boundary {
             Boundary::Outer => "outer".into(),
             Boundary::Longest => "longest".into(),
             Boundary::Loops(loops) => loops.json(),
+        }
+    }
+}
+
+const POLISHED: [(&str, Polishing); 1] = [("last", Polishing::Last)];
+
+impl Value for Polishing {
+    fn kind(bounds: Bounds) -> Kind {
+        Kind::Either(Box::new(choice(&POLISHED)), Box::new(bool::kind(bounds)))
+    }
+
+    fn read(name: &str, value: &Spanned<DeValue>, bounds: Bounds, example: &str) -> Result<Polishing, Problem> {
+        named(name, value, &POLISHED).unwrap_or_else(|| match value.get_ref().as_bool() {
+            Some(true) => Ok(Polishing::Every),
+            Some(false) => Ok(Polishing::Off),
+            None => Err(either::<Polishing>(name, value, bounds, format!("write for example {example}"))),
+        })
+    }
+
+    fn json(&self) -> Json {
+        match self {
+            Polishing::Last => "last".into(),
+            Polishing::Every => true.into(),
+            Polishing::Off => false.into(),
         }
     }
 }

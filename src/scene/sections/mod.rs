@@ -9,6 +9,7 @@ mod metric;
 mod phase;
 mod picture;
 mod pin;
+mod polish;
 mod root;
 mod selection;
 mod solid;

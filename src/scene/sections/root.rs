@@ -9,6 +9,7 @@ use super::metric::metric;
 use super::phase::phase;
 use super::picture::{camera, light, output};
 use super::pin::pin;
+use super::polish::polish;
 use super::spin::spin;
 use super::start::start;
 use crate::scene::data::{RelaxationSection, Scene, SpinSection};
@@ -38,6 +39,7 @@ pub(in crate::scene) fn root(table: &mut Table) -> Scene {
             }),
         pins: table.tables("pin", "Vertices held in place or led along.", pin),
         clock: table.table("clock", "Frames and their times.", clock),
+        polish: table.table("polish", "Positions made isometric when frames have settled.", polish),
         camera: table.table("camera", "The view; what is left out frames the surface by itself.", camera),
         lights: table.tables("light", "A directional light; without any, the studio's three.", light),
         look: table.table("look", "Colours, materials, patterns, lines and labels. What is left out is as `preset` has it.", look),

@@ -1,0 +1,99 @@
+//! What a surface costs: its strain, its bending, and the barrier.
+
+use super::barrier::barrier;
+use super::hinge::{Hinge, hinges};
+use crate::algebra::inner_product;
+use crate::mesh::{EdgeId, Mesh, VertexId};
+use crate::metric::Metric;
+use crate::tuning::BARRIER_WEIGHT;
+use glam::DVec3;
+use rayon::prelude::*;
+
+/// The energy of a connected surface in units of its mean edge length.
+#[derive(Debug)]
+pub(super) struct Energy {
+    /// Per edge: its ends.
+    pub ends: Vec<[usize; 2]>,
+    /// Per edge: the length that is asked for.
+    pub lengths: Vec<f64>,
+    pub hinges: Vec<Hinge>,
+    /// Per hinge: the angle at rest, in radians.
+    pub rest: Vec<f64>,
+    /// Per face: its corners.
+    faces: Vec<[u32; 3]>,
+    /// Per face: the area that its lengths ask for.
+    areas: Vec<f64>,
+}
+
+/// The weight of bending.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Stiffness(pub f64);
+
+impl Energy {
+    /// `rest` holds the angles at rest in radians, |E|; without any the shell is flat at rest. A membrane has no hinges. `unit`
+    /// is the mean edge length.
+    pub fn new(mesh: &Mesh, metric: &Metric, rest: Option<&[f64]>, is_membrane: bool, unit: f64) -> Energy {
+        let hinges = if is_membrane { Vec::new() } else { hinges(mesh, metric) };
+        Energy {
+            ends: mesh.edges().map(|e| mesh.edge_vertices(e).map(VertexId::index)).collect(),
+            lengths: mesh.edges().map(|e: EdgeId| metric.length(e) / unit).collect(),
+            rest: hinges.iter().map(|hinge| rest.map_or(0.0, |rest| rest[hinge.edge])).collect(),
+            faces: mesh.triangles(),
+            areas: metric.face_areas().iter().map(|area| area / (unit * unit)).collect(),
+            hinges,
+        }
+    }
+
+    /// Relative length errors, |E|.
+    pub fn strains(&self, positions: &[DVec3]) -> Vec<f64> {
+        let edges = self.ends.par_iter().with_min_len(TASK).zip(&self.lengths);
+        edges.map(|([a, b], length)| positions[*a].distance(positions[*b]) / length - 1.0).collect()
+    }
+
+    /// Bending angles of all hinges in radians.
+    pub fn angles(&self, positions: &[DVec3]) -> Vec<f64> {
+        self.hinges.par_iter().with_min_len(TASK).map(|hinge| hinge.angle(positions)).collect()
+    }
+
+    /// The mean absolute bending angle in radians; 0 where there are no hinges.
+    pub fn mean_bending(&self, positions: &[DVec3]) -> f64 {
+        let angles = self.angles(positions);
+        inner_product(&angles, &angles, |a, _| a.abs()) / angles.len().max(1) as f64
+    }
+
+    /// Root mean square of [`Energy::strains`].
+    pub fn l2_strain(&self, positions: &[DVec3]) -> f64 {
+        let strains = self.strains(positions);
+        (inner_product(&strains, &strains, |a, b| a * b) / strains.len() as f64).sqrt()
+    }
+
+    /// The energy of positions with these bending angles.
+    pub fn value(&self, positions: &[DVec3], angles: &[f64], Stiffness(stiffness): Stiffness) -> f64 {
+        let strains = self.strains(positions);
+        let strain = 0.5 * inner_product(&strains, &strains, |a, b| a * b);
+        let hinges = self.hinges.par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
+        let costs: Vec<f64> = hinges
+            .map(|((hinge, rest), angle)| {
+                let off = angle - rest;
+                hinge.weight * (0.5 * off * off + BARRIER_WEIGHT * barrier(*angle).value)
+            })
+            .collect();
+        strain + stiffness * inner_product(&costs, &costs, |cost, _| cost)
+    }
+
+    /// Whether every face keeps at least this share of the area that its lengths ask for, or half of what it has now.
+    pub fn keeps_areas(&self, before: &[DVec3], positions: &[DVec3], least: f64) -> bool {
+        let area = |places: &[DVec3], face: &[u32; 3]| {
+            let [a, b, c] = face.map(|v| places[v as usize]);
+            0.5 * (b - a).cross(c - a).length()
+        };
+        let faces = self.faces.par_iter().with_min_len(TASK).zip(&self.areas);
+        faces.all(|(face, asked)| {
+            let now = area(positions, face);
+            now >= least * asked || now >= 0.5 * area(before, face)
+        })
+    }
+}
+
+/// Elements that are worth a task of their own.
+const TASK: usize = 1024;

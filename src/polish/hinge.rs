@@ -1,0 +1,60 @@
+//! Two faces that share an edge, and the angle between them.
+
+use crate::mesh::Mesh;
+use crate::metric::Metric;
+use glam::DVec3;
+
+/// An inner edge with the four vertices around it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hinge {
+    /// The ends of the edge, tail and tip of its halfedge; the vertex across from it, and the one across from the twin.
+    pub corners: [usize; 4],
+    /// What a bending angle costs: the length of the edge over that of its dual.
+    pub weight: f64,
+    /// Its edge.
+    pub edge: usize,
+}
+
+/// A bending angle and its gradient.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bend {
+    /// In radians, with the sign of Eq. 15.
+    pub angle: f64,
+    /// By the places of the four corners.
+    pub gradient: [DVec3; 4],
+}
+
+/// All inner edges, in order.
+pub(super) fn hinges(mesh: &Mesh, metric: &Metric) -> Vec<Hinge> {
+    let hinge = |e| {
+        let [h, twin] = mesh.edge_sides(e)?;
+        let corners = [mesh.tail(h), mesh.tip(h), mesh.tip(h.next()), mesh.tip(twin.next())].map(|v| v.index());
+        Some(Hinge { corners, weight: metric.dual_weight(e), edge: e.index() })
+    };
+    mesh.edges().filter_map(hinge).collect()
+}
+
+impl Hinge {
+    /// The bending angle alone, in radians.
+    pub fn angle(&self, positions: &[DVec3]) -> f64 {
+        let [a, b, c, d] = self.corners.map(|v| positions[v]);
+        let along = b - a;
+        let (n, m) = (along.cross(c - a), (d - a).cross(along));
+        libm::atan2(n.cross(m).dot(along) / along.length(), n.dot(m))
+    }
+
+    /// The bending angle and its gradient.
+    pub fn bend(&self, positions: &[DVec3]) -> Bend {
+        let [a, b, c, d] = self.corners.map(|v| positions[v]);
+        let along = b - a;
+        let length = along.length();
+        let (n, m) = (along.cross(c - a), (d - a).cross(along));
+        let angle = libm::atan2(n.cross(m).dot(along) / length, n.dot(m));
+        // A corner turns its face about the edge; the ends take up what is left, so that nothing turns or moves as a whole.
+        let [across, across_twin] = [n, m].map(|normal| normal * (-length / normal.length_squared()));
+        let [at, at_twin] = [c, d].map(|corner| (corner - a).dot(along) / (length * length));
+        let tail = -(across * (1.0 - at) + across_twin * (1.0 - at_twin));
+        let tip = -(across * at + across_twin * at_twin);
+        Bend { angle, gradient: [tail, tip, across, across_twin] }
+    }
+}

@@ -1,0 +1,149 @@
+//! The linear system of a step: Newton's, made positive definite.
+
+use super::barrier::barrier;
+use super::energy::{Energy, Stiffness};
+use crate::algebra::{BlockCholesky, CholeskyError};
+use crate::tuning::{BARRIER_WEIGHT, POLISH_ANCHOR};
+use glam::{DMat3, DVec3};
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// The Hessian of the energy with all that could make it indefinite left out: of strain, the stress of compressed edges;
+/// of bending, the curvature of angles. Its order of elimination is kept for all steps.
+#[derive(Debug)]
+pub(super) struct NewtonSystem {
+    factor: BlockCholesky,
+    /// Per vertex: its unknown; `None` where it is pinned.
+    unknowns: Vec<Option<usize>>,
+    /// Per edge: the pair of unknowns that it couples, if both of its ends are free.
+    edge_pairs: Vec<Option<Coupling>>,
+    /// Per hinge: those of its corners, (1, 0), (2, 0), (2, 1), (3, 0), (3, 1), (3, 2).
+    hinge_pairs: Vec<[Option<Coupling>; 6]>,
+    diagonal: Vec<DMat3>,
+    pairs: Vec<DMat3>,
+    gradient: Vec<DVec3>,
+}
+
+/// A pair of unknowns, and whether it stands the other way round among the pairs.
+#[derive(Clone, Copy, Debug)]
+struct Coupling {
+    pair: usize,
+    is_swapped: bool,
+}
+
+/// A direction that leads downhill.
+#[derive(Debug)]
+pub(super) struct Direction {
+    /// How far each vertex moves, |V|.
+    pub moves: Vec<DVec3>,
+    /// How fast the energy falls along it.
+    pub slope: f64,
+}
+
+impl NewtonSystem {
+    /// For an energy, with vertices that stay.
+    pub fn new(energy: &Energy, is_pinned: &[bool]) -> Result<NewtonSystem, CholeskyError> {
+        let mut unknowns = vec![None; is_pinned.len()];
+        let free = unknowns.iter_mut().zip(is_pinned).filter(|(_, pinned)| !**pinned);
+        let count = free.enumerate().map(|(row, (unknown, _))| *unknown = Some(row)).count();
+        let (mut pairs, mut known) = (Vec::new(), HashMap::new());
+        let mut couple = |a: usize, b: usize| {
+            let (a, b) = (unknowns[a]?, unknowns[b]?);
+            let key = (a.max(b), a.min(b));
+            let pair = *known.entry(key).or_insert_with(|| {
+                pairs.push(key);
+                pairs.len() - 1
+            });
+            Some(Coupling { pair, is_swapped: a < b })
+        };
+        let edge_pairs = energy.ends.iter().map(|[a, b]| couple(*a, *b)).collect();
+        let hinge_pairs = energy.hinges.iter().map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j])));
+        let hinge_pairs = hinge_pairs.collect();
+        Ok(NewtonSystem {
+            factor: BlockCholesky::new(count, &pairs)?,
+            unknowns,
+            edge_pairs,
+            hinge_pairs,
+            diagonal: vec![DMat3::ZERO; count],
+            pairs: vec![DMat3::ZERO; pairs.len()],
+            gradient: vec![DVec3::ZERO; count],
+        })
+    }
+
+    /// The direction of a step from these positions.
+    pub fn direction(
+        &mut self,
+        energy: &Energy,
+        positions: &[DVec3],
+        stiffness: Stiffness,
+    ) -> Result<Direction, CholeskyError> {
+        self.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
+        self.pairs.fill(DMat3::ZERO);
+        self.gradient.fill(DVec3::ZERO);
+        self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.0 } else { 0.0 });
+        self.add_bending(energy, positions, stiffness);
+        self.factor.factorize(&self.diagonal, &self.pairs)?;
+        let mut x: Vec<DVec3> = self.gradient.iter().map(|g| -*g).collect();
+        self.factor.solve(&mut x);
+        let slope = self.gradient.iter().zip(&x).map(|(g, x)| -g.dot(*x)).sum();
+        let moves = self.unknowns.iter().map(|unknown| unknown.map_or(DVec3::ZERO, |row| x[row])).collect();
+        Ok(Direction { moves, slope })
+    }
+
+    /// Per edge of direction u, length L and strain s = L/ℓ − 1: (u uᵀ + max(s, 0) ℓ/L (1 − u uᵀ)) / ℓ², and what holds the
+    /// moves of its ends together.
+    fn add_strain(&mut self, energy: &Energy, positions: &[DVec3], hold: f64) {
+        for (([a, b], asked), coupling) in energy.ends.iter().zip(&energy.lengths).zip(&self.edge_pairs) {
+            let along = positions[*b] - positions[*a];
+            let length = along.length();
+            let (u, strain) = (along / length, length / asked - 1.0);
+            let across = strain.max(0.0) * asked / length;
+            let all_around = across / (asked * asked) + hold;
+            let block =
+                outer(u, u) * ((1.0 - across) / (asked * asked)) + DMat3::from_diagonal(DVec3::splat(all_around));
+            let force = u * (strain / asked);
+            for (v, sign) in [(*a, -1.0), (*b, 1.0)] {
+                if let Some(row) = self.unknowns[v] {
+                    self.diagonal[row] += block;
+                    self.gradient[row] += sign * force;
+                }
+            }
+            if let Some(coupling) = coupling {
+                self.pairs[coupling.pair] -= block;
+            }
+        }
+    }
+
+    /// Per hinge: κ w (1 + b″) ∇α ∇αᵀ.
+    fn add_bending(&mut self, energy: &Energy, positions: &[DVec3], Stiffness(stiffness): Stiffness) {
+        let bends: Vec<_> = energy.hinges.par_iter().with_min_len(1024).map(|hinge| hinge.bend(positions)).collect();
+        for (((hinge, bend), rest), couplings) in
+            energy.hinges.iter().zip(&bends).zip(&energy.rest).zip(&self.hinge_pairs)
+        {
+            let barrier = barrier(bend.angle);
+            let weight = stiffness * hinge.weight;
+            let torque = weight * (bend.angle - rest + BARRIER_WEIGHT * barrier.first);
+            let curvature = weight * (1.0 + BARRIER_WEIGHT * barrier.second);
+            for (v, gradient) in hinge.corners.iter().zip(bend.gradient) {
+                if let Some(row) = self.unknowns[*v] {
+                    self.diagonal[row] += outer(gradient, gradient) * curvature;
+                    self.gradient[row] += gradient * torque;
+                }
+            }
+            for ((i, j), coupling) in CORNER_PAIRS.into_iter().zip(couplings) {
+                if let Some(Coupling { pair, is_swapped }) = *coupling {
+                    let [row, column] = if is_swapped { [j, i] } else { [i, j] };
+                    self.pairs[pair] += outer(bend.gradient[row], bend.gradient[column]) * curvature;
+                }
+            }
+        }
+    }
+}
+
+/// u vᵀ.
+fn outer(u: DVec3, v: DVec3) -> DMat3 {
+    DMat3::from_cols(u * v.x, u * v.y, u * v.z)
+}
+
+/// All pairs of the corners of a hinge.
+const CORNER_PAIRS: [(usize, usize); 6] = [(1, 0), (2, 0), (2, 1), (3, 0), (3, 1), (3, 2)];
