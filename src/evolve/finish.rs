@@ -1,6 +1,8 @@
 //! What becomes of a frame when its frames have settled: vertices move until edges have their lengths.
 
 use super::error::EvolveError;
+use super::pace::Pace;
+use super::program::Polishing;
 use super::progress::Observer;
 use super::relax::Relaxation;
 use super::report::whole;
@@ -8,7 +10,7 @@ use super::state::State;
 use crate::immersion::{bending_angles, is_convex, pinch_points, rimless_frames};
 use crate::mesh::VertexId;
 use crate::polish::{Ending, Polish, PolishReport, Polished, Watch};
-use crate::tuning::{ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, STIFF_POLISH};
+use crate::tuning::{ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, NEAR_POLISH, STEPS_OF_NEAR_POLISH, STIFF_POLISH};
 use glam::{DQuat, DVec3};
 
 /// Positions of the whole surface after polish, and what there is to say of them.
@@ -17,7 +19,38 @@ pub(super) struct Finished {
     pub positions: Vec<DVec3>,
     /// Frames of these positions, |F|; `None` where those of the state are nearer to how they were found.
     pub face_frames: Option<Vec<DQuat>>,
-    pub report: PolishReport,
+    pub report: Option<PolishReport>,
+}
+
+impl Finished {
+    /// Positions as frames integrate to.
+    pub fn unpolished(positions: Vec<DVec3>) -> Finished {
+        Finished { positions, face_frames: None, report: None }
+    }
+}
+
+/// Which frame, from 1, of how many, and how the film passes from one to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Which {
+    pub frame: usize,
+    pub of: usize,
+    pub pace: Pace,
+}
+
+impl Polishing {
+    /// How far polish may go with a frame; `None` if it is not to be polished, or is not relaxed yet.
+    pub(super) fn reach(self, Which { frame, of, pace }: Which, components: &[Relaxation]) -> Option<Reach> {
+        if components.iter().any(Relaxation::is_on_the_way) {
+            return None;
+        }
+        let nothing_follows = of == 1 || matches!(pace, Pace::EachClass);
+        match self {
+            Polishing::Off => None,
+            Polishing::Last => (nothing_follows || frame == of).then_some(Reach::Far),
+            Polishing::Every if nothing_follows => Some(Reach::Far),
+            Polishing::Every => Some(Reach::Near),
+        }
+    }
 }
 
 /// How far polish may go.
@@ -35,18 +68,17 @@ pub(super) enum Reach {
 /// [`EvolveError::Stopped`] if the observer says so.
 pub(super) fn finish(
     components: &[Relaxation],
-    positions: &[DVec3],
+    mut positions: Vec<DVec3>,
     reach: Reach,
     max_bending_growth: f64,
     observer: &mut dyn Observer,
 ) -> Result<Finished, EvolveError> {
-    let mut whole_positions = positions.to_vec();
     let faces = components.iter().map(|part| part.state().mesh().face_count()).sum();
     let mut face_frames = vec![DQuat::IDENTITY; faces];
     let mut reports = Vec::with_capacity(components.len());
     for relaxation in components {
         let state = relaxation.state();
-        let own = state.component().vertices.pick(positions);
+        let own = state.component().vertices.pick(&positions);
         let mut is_stopped = false;
         let polished = polished(relaxation, &own, reach, max_bending_growth, &mut |step| {
             let flow = observer.after_polish_step(step);
@@ -56,7 +88,7 @@ pub(super) fn finish(
         if is_stopped {
             return Err(EvolveError::Stopped { steps: relaxation.cursor().steps });
         }
-        state.component().vertices.put(&polished.positions, &mut whole_positions);
+        state.component().vertices.put(&polished.positions, &mut positions);
         let own_frames = match polished.report.ending {
             Ending::Unchanged => state.face_frames().to_vec(),
             _ => rimless_frames(state.mesh(), state.metric(), state.shell(), &polished.positions),
@@ -65,7 +97,7 @@ pub(super) fn finish(
         reports.push(polished.report);
     }
     let face_frames = (reach == Reach::Far).then_some(face_frames);
-    Ok(Finished { positions: whole_positions, face_frames, report: whole(&reports, components) })
+    Ok(Finished { positions, face_frames, report: Some(whole(&reports, components)) })
 }
 
 /// The polished component. A surface that is pinched, has rims or another class than it should is left alone, and what would
@@ -94,20 +126,21 @@ fn polished(
         }
         None => None,
     };
-    let shells: &[f64] = match (reach, &rest) {
-        (Reach::Far, None) if state.betti() > 0 => &STIFF_POLISH,
-        (Reach::Far, None) => &FIRM_POLISH,
-        _ => &GENTLE_POLISH,
+    let (shells, max_steps): (&[f64], usize) = match (reach, &rest) {
+        (Reach::Near, _) => (&[NEAR_POLISH], STEPS_OF_NEAR_POLISH),
+        (Reach::Far, Some(_)) => (&[GENTLE_POLISH], Polish::default().max_steps),
+        (Reach::Far, None) if state.betti() == 0 => (&[FIRM_POLISH], Polish::default().max_steps),
+        (Reach::Far, None) => (&STIFF_POLISH, Polish::default().max_steps),
     };
     let membranes: &[f64] = match rest {
-        None if is_convex(state.mesh(), state.metric()) && pinned.is_empty() => &GENTLE_POLISH,
+        None if is_convex(state.mesh(), state.metric()) && pinned.is_empty() => &[GENTLE_POLISH],
         _ => &[],
     };
     let attempts = membranes.iter().map(|stiffness| (true, *stiffness));
     let attempts = attempts.chain(shells.iter().map(|stiffness| (false, *stiffness)));
     let mut best = unchanged();
     for (is_membrane, stiffness) in attempts {
-        let polish = Polish { stiffness, is_membrane, max_bending_growth, ..Polish::default() };
+        let polish = Polish { stiffness, is_membrane, max_bending_growth, max_steps };
         let next = polish.apply(state.mesh(), state.metric(), positions, rest.as_deref(), &pinned, watch);
         let steps = best.report.steps + next.report.steps;
         let is_better = next.report.l2_length_error < best.report.l2_length_error;

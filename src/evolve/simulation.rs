@@ -4,7 +4,7 @@ use super::ahead::contradictions;
 use super::ahead::{LookAhead, keys_of, origin_of};
 use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
-use super::finish::{Finished, Reach, finish};
+use super::finish::{Finished, Which, finish};
 use super::frame::{Frame, check_face_frames};
 use super::pace::Pace;
 use super::places::Row;
@@ -349,20 +349,6 @@ impl Simulation {
         self.components.iter().map(own).collect()
     }
 
-    /// How far polish may go with the frame that was made now; `None` if it is not to be polished.
-    fn reach(&self) -> Option<Reach> {
-        if self.components.iter().any(Relaxation::is_on_the_way) {
-            return None;
-        }
-        let is_last = matches!(self.pace, Pace::EachClass) || self.frame.max(1) == self.clock.frames();
-        match self.polish {
-            Polishing::Off => None,
-            Polishing::Last => is_last.then_some(Reach::Far),
-            Polishing::Every if self.clock.frames() == 1 || matches!(self.pace, Pace::EachClass) => Some(Reach::Far),
-            Polishing::Every => Some(Reach::Near),
-        }
-    }
-
     fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
         let asked = self.course.metric(time)?;
         (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
@@ -382,13 +368,10 @@ impl Simulation {
             is_of_relaxation: matches!(self.pace, Pace::Steps(_)),
         };
         let positions = row.place(&mut self.components, self.mesh.vertex_count());
-        let finished = match self.reach() {
-            Some(reach) => Some(finish(&self.components, &positions, reach, self.max_bending_growth, observer)?),
-            None => None,
-        };
-        let (positions, face_frames, polish) = match finished {
-            Some(Finished { positions, face_frames, report }) => (positions, face_frames, Some(report)),
-            None => (positions, None, None),
+        let which = Which { frame: self.frame.max(1), of: self.clock.frames(), pace: self.pace };
+        let Finished { positions, face_frames, report: polish } = match self.polish.reach(which, &self.components) {
+            Some(reach) => finish(&self.components, positions, reach, self.max_bending_growth, observer)?,
+            None => Finished::unpolished(positions),
         };
         let Simulation { mesh, metric, homology, components, .. } = self;
         let (rims, mut report) = measure(mesh, metric, homology, components, &positions, polish);

@@ -10,6 +10,7 @@ use super::checks::{Check, checks_of};
 use super::text_table::{percent, short, write_table};
 use crate::evolve::FrameReport;
 use crate::film::{DiskError, FilmFolder, MeshCounts};
+use crate::polish::{Ending, PolishReport};
 use crate::scene::ChecksSection;
 
 /// What `inspect --json` prints.
@@ -146,6 +147,9 @@ impl Inspection {
             last.pinch_points,
             if last.spin_class.is_empty() { String::new() } else { format!(", class {}", last.spin_class) },
         )?;
+        if let Some(polish) = &last.polish {
+            writeln!(out, "{}", in_words(polish))?;
+        }
         match last.cursor.restarts {
             0 => {}
             1 => writeln!(out, "frames were drawn anew once, because rims were left")?,
@@ -158,11 +162,33 @@ impl Inspection {
     }
 }
 
+/// What polish did, in a sentence.
+fn in_words(polish: &PolishReport) -> String {
+    let PolishReport { l2_length_error_before, mean_bending_before, mean_bending, steps, ending, .. } = *polish;
+    let why = match ending {
+        Ending::Isometric => "edges have their lengths up to rounding",
+        Ending::BestFit => "this is the best fit nearby",
+        Ending::BendingLimit => "a better fit would bend it by more than `max_bending_growth` allows",
+        Ending::StepLimit => "it was to take no more steps",
+        Ending::Unchanged => {
+            return "it was not polished: it is pinched, has rims or another class, or polish found nothing better"
+                .into();
+        }
+    };
+    let steps = format!("{steps} step{}", if steps == 1 { "" } else { "s" });
+    format!(
+        "polished from {} in {steps}, mean bending angle {mean_bending_before:.2}° before and {mean_bending:.2}° after: {why}",
+        percent(l2_length_error_before)
+    )
+}
+
 /// A heading, and what a frame has below it.
 type Column = (&'static str, fn(&FrameReport) -> Option<String>);
 
 /// Columns that are left out where no frame has a value.
-const EXTRAS: [Column; 4] = [
+const EXTRAS: [Column; 6] = [
+    ("before polish", |report| report.polish.map(|polish| percent(polish.l2_length_error_before))),
+    ("mean bending", |report| report.polish.map(|polish| format!("{:.2}°", polish.mean_bending))),
     ("angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.rms_degrees))),
     ("max angle error", |report| report.bending_error.map(|error| format!("{:.2}°", error.max_degrees))),
     ("largest dent", |report| report.largest_dent.map(short)),

@@ -11,7 +11,7 @@ fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
     let mut expected =
         ["mesh", "parameters", "metric", "spin", "start", "phase", "bending", "pin", "clock", "camera", "light"]
             .to_vec();
-    expected.extend(["look", "output", "checks", "extends"]);
+    expected.extend(["look", "output", "checks", "extends", "polish"]);
     expected.sort();
     assert_eq!(sections, expected);
     assert_eq!(at("/properties/clock/properties/frames/default"), 1);
