@@ -7,8 +7,8 @@ use glam::{DQuat, DVec4};
 /// Sweeps over a patch: its means travel one face a sweep, and have to get across it and back.
 const LEAST_SWEEPS: usize = 4;
 
-/// Gives all faces at most so many edges away from those at the edges `around`, in order, the means of the frames of their neighbours,
-/// again and again, while frames outside of the patch stay. `frames` are all of the shell, |F|.
+/// Gives all faces at most so many edges away from those at the edges `around` (in order) the means of the frames of their
+/// neighbours, again and again, while frames outside of the patch stay. `frames` are all of the shell, |F|.
 pub fn smooth_patch(shell: &Shell, around: &[EdgeId], rings: usize, frames: &mut [DQuat]) {
     let patch = faces_around(shell, around, rings);
     for _ in 0..(rings * rings).max(LEAST_SWEEPS) {
