@@ -5,6 +5,14 @@
 /// took five attempts.
 pub const MAX_RESTARTS: usize = 8;
 
+/// How many faces around rims are given smooth frames where rims are left in the end, in steps across edges, one patch
+/// after the other. Two undo most single edges that folded over; what sixteen do not undo is better drawn anew.
+pub const PATCH_RINGS: [usize; 4] = [2, 4, 8, 16];
+
+/// Steps of the last phase after that, at most. The surface around a patch has settled, so that a quarter of what the phase
+/// may take will do.
+pub const MENDING_STEPS: usize = 100;
+
 /// Δt of the first phase, as a share of the area of the surface. All strains cost the same there, so that a step of any
 /// length is one solve; longer steps gain nothing.
 pub const SMOOTHING_SHARE: f64 = 1.0 / 28.0;

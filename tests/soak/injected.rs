@@ -103,7 +103,7 @@ fn judged(output: &Output, fault: &str) -> Vec<String> {
 
 #[test]
 fn faults_of_the_disk() {
-    inject(3);
+    inject(2);
 }
 
 #[test]

@@ -8,12 +8,15 @@ use crate::evolve::error::EvolveError;
 use crate::evolve::progress::Observer;
 
 impl Relaxation {
-    /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases that are left, and from other random frames
-    /// where rims stay.
+    /// Lines 7 to 9 of Algorithm 2: relaxes the frames through all phases that are left. Where rims stay and the start
+    /// was random, patches around them are mended, and if that does not help either, it goes on from other random frames.
     pub fn relax(&mut self, observer: &mut dyn Observer) -> Result<(), EvolveError> {
         while self.is_on_the_way() {
             self.advance(usize::MAX, observer)?;
-            self.draw_anew_if_tangled();
+            if self.draws.is_some() {
+                self.mend(observer)?;
+                self.draw_anew_if_tangled();
+            }
         }
         self.turn_the_right_side_out();
         Ok(())

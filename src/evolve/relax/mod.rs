@@ -5,6 +5,7 @@ mod algorithm;
 mod control;
 mod cursor;
 mod draws;
+mod mending;
 mod mirror_image;
 mod phase;
 mod relaxation;

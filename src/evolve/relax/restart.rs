@@ -8,8 +8,8 @@ impl Relaxation {
     /// Rims that are left in the end do not resolve any more; other random frames may do without them. When all
     /// attempts are used up, the one with the fewest rims is kept.
     pub(super) fn draw_anew_if_tangled(&mut self) {
+        let rims = self.rims_now().len();
         let Some(draws) = &mut self.draws else { return };
-        let rims = self.state.rims_at(&self.state.integrate()).len();
         draws.note(rims, self.state.face_frames());
         if rims > 0 && self.cursor.restarts < MAX_RESTARTS {
             self.cursor = Cursor { restarts: self.cursor.restarts + 1, ..self.cursor.at_start_of(0) };

@@ -284,3 +284,43 @@ fn divergence_is_an_error() {
     }
     assert!(outcome.is_err() || simulation.face_frames().iter().all(|q| q.is_finite()));
 }
+
+/// The rims that an observer sees, of every step: restarts, phase, step, rims.
+#[derive(Default)]
+struct RimsSeen(Vec<[usize; 4]>);
+
+impl Observer for RimsSeen {
+    fn after_step(&mut self, progress: &Progress) -> ControlFlow<()> {
+        self.0.push([progress.restarts, progress.phase, progress.step, progress.rims]);
+        ControlFlow::Continue(())
+    }
+}
+
+/// Rims that are left after all phases go by patches around them, from the same random frames, to the same bits on any number
+/// of threads. Without patches these frames were drawn nine times, and a rim was left each time.
+#[test]
+fn rims_go_by_patches_before_frames_are_drawn_anew() {
+    let text = "[mesh]\nshape = 'implicit'\nedge_length = 0.14\nparts = [\n\
+         { torus = { center = [-0.8, 0, 0], axis = [0, 0, 1], major_radius = 0.7, minor_radius = 0.25 } },\n\
+         { torus = { center = [0.8, 0, 0], axis = [0, 0, 1], major_radius = 0.7, minor_radius = 0.25 }, blend = 0.2 },\n]\n\
+         [start]\nrandom = 1\n[spin]\nclass = '0001'\n";
+    let on_threads = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let mut simulation = scene(text).simulation().expect("a simulation");
+            let mut seen = RimsSeen::default();
+            let frame = simulation.relax(&mut seen).expect("a frame");
+            ((simulation, frame), seen.0)
+        })
+    };
+    let (found, seen) = on_threads(1);
+    assert_good(text, &found, 0.01);
+    assert_eq!(found.1.report.cursor.restarts, 0);
+    // The last phase begins again where it has ended with rims.
+    let last = seen.iter().map(|[_, phase, ..]| *phase).max();
+    let again = seen.windows(2).filter(|pair| Some(pair[0][1]) == last && pair[1][2] == 1).collect::<Vec<_>>();
+    assert!(!again.is_empty() && again.iter().all(|pair| pair[0][3] > 0), "{again:?}");
+    let (other, _) = on_threads(3);
+    assert_eq!(found.1.positions, other.1.positions);
+    assert_eq!(found.1.face_frames, other.1.face_frames);
+}

@@ -1,1 +1,2 @@
 mod energy;
+mod rims;
