@@ -80,7 +80,7 @@ pub fn hull_of_ellipsoid(frequency: usize) -> Outcome<Surface> {
     // The triangle on the left of each directed edge.
     let mut left: HashMap<[u32; 2], usize> = HashMap::new();
     for (index, triangle) in triangles.iter().enumerate() {
-        edges(triangle).into_iter().for_each(|edge| drop(left.insert(edge, index)));
+        left.extend(edges(triangle).map(|edge| (edge, index)));
     }
     let mut waiting: Vec<[u32; 2]> = left.keys().copied().filter(|[a, b]| a < b).collect();
     waiting.sort_unstable();
@@ -98,7 +98,7 @@ pub fn hull_of_ellipsoid(frequency: usize) -> Outcome<Surface> {
         left.remove(&[a, b]);
         left.remove(&[b, a]);
         for index in [i, j] {
-            edges(&triangles[index]).into_iter().for_each(|edge| drop(left.insert(edge, index)));
+            left.extend(edges(&triangles[index]).map(|edge| (edge, index)));
         }
         waiting.extend([[a, c], [c, b], [b, d], [d, a]]);
     }

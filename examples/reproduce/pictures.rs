@@ -7,6 +7,7 @@ use immerse::immersion::pinch_points;
 use immerse::mesh::Mesh;
 use immerse::render::{
     Anchor, Camera, Extent, Lights, Look, LookName, Metadata, Output, Picture, Png, Scenery, TextStyle, View, render,
+    text_width,
 };
 use immerse::scene::Scene;
 use immerse::scene::build::{look, view};
@@ -93,7 +94,9 @@ pub fn sheet(tiles: &[Tile], columns: usize) -> Picture {
     for (k, tile) in tiles.iter().enumerate() {
         let corner = [k % columns * width, k / columns * (height + below)];
         whole.paste(&tile.picture, corner);
-        let style = TextStyle { size: 0.62 * below as f32, color: ink, anchor: Anchor::Middle };
+        // As large as fits.
+        let size = (0.62 * below as f32).min(0.92 * width as f32 / text_width(&tile.caption, 1.0));
+        let style = TextStyle { size, color: ink, anchor: Anchor::Middle };
         let at = [corner[0] + width / 2, corner[1] + height + below / 2];
         whole.draw_text(&tile.caption, Vec2::new(at[0] as f32, at[1] as f32), &style);
     }

@@ -91,7 +91,7 @@ fn draw_panel<'a>(area: &Area<'a>, panel: &Panel) -> Drawn<'a> {
     for (start, name) in &panel.stages {
         chart.draw_series(LineSeries::new([(*start, low), (*start, high)], GRID.stroke_width(2)))?;
         let style = ("sans-serif", 15).into_font().color(&INK).pos(Pos::new(HPos::Left, VPos::Top));
-        chart.draw_series([Text::new(format!(" {name}"), (*start, high), style)])?;
+        chart.draw_series([Text::new(format!(" {name}"), (*start, high - 0.03 * (high - low)), style)])?;
     }
     for curve in &panel.curves {
         let points = curve.points.iter().map(|&(x, y)| (x, value(y)));

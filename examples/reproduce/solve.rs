@@ -2,7 +2,7 @@
 
 use super::measure::mean_bending_degrees;
 use super::request::Outcome;
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use immerse::evolve::{FrameReport, Progress};
 use immerse::mesh::{Mesh, Surface};
 use immerse::scene::Scene;
@@ -43,7 +43,6 @@ pub struct Found {
     pub mesh: Arc<Mesh>,
     pub metric: Metric,
     pub positions: Vec<DVec3>,
-    pub face_frames: Vec<DQuat>,
     /// Of all frames; there is at least one.
     pub reports: Vec<FrameReport>,
     /// Of the last frame: ends of edges where it folds over.
@@ -107,7 +106,6 @@ pub fn solve(surface: Surface, program: Program, polish: Polish) -> Outcome<Foun
     Ok(Found {
         metric: simulation.metric().clone(),
         positions: frame.positions.clone(),
-        face_frames: frame.face_frames.clone(),
         rims: frame.rims.iter().map(|&e| mesh.edge_vertices(e).map(|v| v.0)).collect(),
         bending_degrees: mean_bending_degrees(&mesh, &frame.positions),
         mesh,

@@ -2,7 +2,7 @@
 
 use super::document::Line;
 use super::solve::Found;
-use immerse::evolve::FrameReport;
+use immerse::evolve::{FrameReport, NO_CLASS};
 use std::fmt::Write;
 
 /// What the paper says of a figure.
@@ -23,6 +23,11 @@ pub fn percent(share: f64) -> String {
         _ if percent < 1.0 => format!("{percent:.3} %"),
         _ => format!("{percent:.2} %"),
     }
+}
+
+/// `1 rim`, `2 rims`.
+pub fn count(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 const HEADER: &str = "\
@@ -57,7 +62,8 @@ impl Table {
         seconds: f64,
     ) {
         let class = match (report.asked_class.as_str(), report.spin_class.as_str()) {
-            ("", "") => "–".to_owned(),
+            ("", "" | NO_CLASS) => "–".to_owned(),
+            ("", found) => found.to_owned(),
             (asked, found) => format!("{asked} → {found}"),
         };
         let FrameReport { l2_length_error, p95_length_error, max_length_error, rims, pinch_points, .. } = report;
@@ -118,10 +124,10 @@ pub fn line(what: &str, paper: Option<Paper>, before: &Sorted, after: Option<&So
     let others = best.all().iter().filter(|found| is_other(found)).count();
     let mut miss = Vec::new();
     if rims > 0 {
-        miss.push(format!("{rims} rims"));
+        miss.push(count(rims, "rim"));
     }
     if pinches > 0 {
-        miss.push(format!("{pinches} pinch points"));
+        miss.push(count(pinches, "pinch point"));
     }
     if others > 0 && pinches == 0 {
         miss.push(format!("{others} of {} in another class", best.all().len()));

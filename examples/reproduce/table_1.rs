@@ -4,7 +4,7 @@ use super::document::Section;
 use super::pictures::{ALONE, BESIDE, Style, Tile, picture, save, sheet};
 use super::request::{Outcome, Request, own, shipped};
 use super::solve::{Found, Polish, scene, solve_scene};
-use super::table::{Paper, Sorted, Table, line, percent};
+use super::table::{Paper, Sorted, Table, count, line, percent};
 use immerse::scene::Scene;
 use std::path::PathBuf;
 
@@ -102,7 +102,12 @@ impl Case<'_> {
         let mesh = &found.mesh;
         let ours = format!("({}, {}, {})", mesh.vertex_count(), mesh.edge_count(), mesh.face_count());
         let paper = self.paper.map_or(String::new(), |paper| {
-            format!("The paper has {} faces, an error of {} % and {} rims. ", paper.faces, paper.l2_percent, paper.rims)
+            format!(
+                "The paper has {} faces, an error of {} % and {}. ",
+                paper.faces,
+                paper.l2_percent,
+                count(paper.rims, "rim")
+            )
         });
         format!("{paper}Vertices, edges and faces here: {ours}.\n")
     }

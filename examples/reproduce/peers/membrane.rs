@@ -9,7 +9,9 @@ use immerse::mesh::Mesh;
 use std::collections::{BTreeMap, VecDeque};
 
 /// Weights of bending as shares of the area, one stage each.
-const BENDING: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+pub const FROM_STIFF: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
+/// The same without the stiff stages, which forget where they started.
+pub const FROM_SOFT: [f64; 3] = [1e-4, 1e-5, 1e-6];
 /// The most steps of a stage.
 const STEPS: usize = 1500;
 /// A stage ends where a step lowers the energy by less than this share.
@@ -17,18 +19,20 @@ const TOLERANCE: f64 = 1e-7;
 /// Steps that L-BFGS remembers.
 const MEMORY: usize = 12;
 
-/// From random positions. Gives positions and the number of steps.
-pub fn relax(mesh: &Mesh, metric: &Metric, seed: u64) -> Outcome<(Vec<DVec3>, usize)> {
+/// In a ball as large as a round sphere of that area.
+pub fn random_positions(mesh: &Mesh, metric: &Metric, seed: u64) -> Vec<DVec3> {
     let radius = (metric.total_area() / (4.0 * std::f64::consts::PI)).sqrt();
-    // The vector part of a random unit quaternion lies in the unit ball.
-    let frames = random_frames(mesh.vertex_count(), seed);
-    let mut positions: Vec<DVec3> = frames.into_iter().map(|q| radius * DVec3::new(q.x, q.y, q.z)).collect();
+    // The vector part of a unit quaternion lies in the unit ball.
+    random_frames(mesh.vertex_count(), seed).into_iter().map(|q| radius * DVec3::new(q.x, q.y, q.z)).collect()
+}
+
+/// Lowers the energy stage by stage. Gives the number of steps.
+pub fn relax(mesh: &Mesh, metric: &Metric, bending: &[f64], positions: &mut Vec<DVec3>) -> Outcome<usize> {
     let mut steps = 0;
-    for share in BENDING {
-        let energy = Energy::new(mesh, metric, share * metric.total_area());
-        steps += energy.descend(&mut positions)?;
+    for share in bending {
+        steps += Energy::new(mesh, metric, share * metric.total_area()).descend(positions)?;
     }
-    Ok((positions, steps))
+    Ok(steps)
 }
 
 /// ½ Σ area (|d|/ℓ − 1)² + ½ κ Σ |Δx|² area.
