@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, VecDeque};
 /// Weights of bending as shares of the area, one stage each.
 pub const FROM_STIFF: [f64; 6] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// The same without the stiff stages, which forget where they started.
-pub const FROM_SOFT: [f64; 3] = [1e-4, 1e-5, 1e-6];
+pub const FROM_SOFT: [f64; 2] = [1e-6, 1e-7];
 /// The most steps of a stage.
 const STEPS: usize = 1500;
 /// A stage ends where a step lowers the energy by less than this share.
