@@ -23,15 +23,14 @@ fn add(table: &mut Table, what: &str, all: Vec<Found>) -> Sorted {
 
 /// The line of a method that is not ours: what it is stuck with is no miss of this program.
 fn line_of_peer(what: &str, paper: [&str; 3], sorted: &Sorted) -> Line {
-    let pinches: Vec<String> = sorted.all().iter().map(|found| found.report().pinch_points.to_string()).collect();
-    let state =
-        format!("{}, {} (median of errors)", sorted.median().report().rims, sorted.median().report().pinch_points);
-    Line {
-        paper: paper.map(str::to_owned),
-        state,
-        miss: String::new(),
-        ..line(&format!("{what}; pinch points by seed: {}", pinches.join(", ")), None, sorted, None)
-    }
+    let by_seed = |value: fn(&Found) -> usize| -> String {
+        sorted.all().iter().map(|found| value(found).to_string()).collect::<Vec<_>>().join(" ")
+    };
+    let pinches = by_seed(|found| found.report().pinch_points);
+    let rims = by_seed(|found| found.report().rims);
+    let order = if sorted.is_single() { "" } else { " from the least error to the worst" };
+    let state = format!("{pinches} pinch points, {rims} rims{order}");
+    Line { paper: paper.map(str::to_owned), state, miss: String::new(), ..line(what, None, sorted, None) }
 }
 
 fn tile(name: &str, found: &Found, style: &Style) -> Outcome<Tile> {
