@@ -6,7 +6,7 @@ use super::pictures::{ALONE, Style, picture, save};
 use super::refinement::of_lengths;
 use super::request::{Outcome, Request};
 use super::solve::Polish;
-use super::table::percent;
+use super::table::{ours, percent};
 use glam::DVec3;
 use immerse::mesh::{Surface, shapes};
 use immerse::render::LookName;
@@ -25,6 +25,7 @@ pub fn section(request: &Request) -> Outcome<Section> {
     );
     let (mut image, mut summary) = (String::new(), Vec::new());
     for frequency in if request.quick { vec![8] } else { vec![16, 24, 48, 70] } {
+        let mut errors = Vec::new();
         for polish in Polish::ALL {
             let surface = hull_of_ellipsoid(frequency)?;
             let known = surface.positions.clone().unwrap_or_default();
@@ -48,14 +49,13 @@ pub fn section(request: &Request) -> Outcome<Section> {
                 report.pinch_points,
                 found.seconds
             )?;
+            errors.push(percent(found.l2()));
             if Polish::ALL.ends_with(&[polish]) {
                 let dents = edges - convex;
                 summary.push(Line {
                     what: format!("convex ellipsoid, {} away at most", percent(far.max)),
                     paper: ["–", "–", "–"].map(str::to_owned),
-                    ours: match polish {
-                        Polish::Before => [faces.to_string(), percent(found.l2()), "–".into()],
-                    },
+                    ours: ours(faces, &errors),
                     state: format!("{}, {}", report.rims, report.pinch_points),
                     miss: if dents > 0 {
                         format!("{dents} of {edges} hinges are not convex, by {dent:.2}° at most")

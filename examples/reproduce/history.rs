@@ -1,10 +1,10 @@
 //! The curves of Fig. 8, a relaxation step by step, and of Fig. 1 and 20, an eversion.
 
 use super::document::{Line, Section};
-use super::pictures::{BESIDE, Style, Tile, picture_of, save, sheet};
+use super::pictures::{BESIDE, Style, Tile, picture_of, picture_of_errors, save, sheet};
 use super::plots::{self, BLUE, Curve, INK, ORANGE, Panel};
 use super::request::{Outcome, Request, shipped};
-use super::solve::{Found, Polish, scene, solve_scene};
+use super::solve::{Found, MOMENTS, Polish, rims_of, scene, solve_scene};
 use super::table::{Sorted, Table, line, percent};
 use immerse::Simulation;
 use immerse::evolve::{FrameReport, Unobserved};
@@ -26,6 +26,8 @@ fn bunny(request: &Request) -> Outcome<Option<PathBuf>> {
     Ok(request.paper_mesh("bunny.obj")?.filter(|_| !request.quick))
 }
 
+/// Length errors from here on have the colour of the largest.
+const MOST_SHOWN: f32 = 0.1;
 /// Steps of each stage of Fig. 8, and its ε.
 const STEPS: usize = 15;
 const STAGES: [&str; 4] = ["ε = (1, 1, 1, 1)", "(1, 0.1, 1, 0.1)", "(1, 0.01, 1, 0.1)", "(1, 0.001, 1, 0.1)"];
@@ -52,6 +54,23 @@ pub fn figure_8(request: &Request) -> Outcome<Section> {
         stages,
     }];
     let plot = plots::save(request, "fig8", "step", &panels, "length error over steps, with and without feedback")?;
+    let mut tiles = Vec::new();
+    for (words, found) in &made {
+        for frame in &found.moments[1..] {
+            let picture = picture_of_errors(found, &frame.positions, MOST_SHOWN)?;
+            let steps = frame.report.frame - 1;
+            tiles.push(Tile {
+                picture,
+                caption: format!("{words}, {steps} steps: {}", percent(frame.report.l2_length_error)),
+            });
+        }
+    }
+    let image = save(
+        request,
+        "fig8_surfaces",
+        &sheet(&tiles, MOMENTS - 1),
+        "the surface after each stage, coloured by length error",
+    )?;
     let name = if mesh.is_some() { "the paper's bunny" } else { "a hare in the bunny's place" };
     let mut ends = String::from("| stage | with feedback | without |\n|---|--:|--:|\n");
     for (k, stage) in STAGES.iter().enumerate() {
@@ -65,13 +84,14 @@ pub fn figure_8(request: &Request) -> Outcome<Section> {
         summary: summary.collect(),
         body: format!(
             "Sixty steps from random frames in the four stages of Eq. 21, fifteen each, on {name}, with and without the feedback of the integrated \
-            surface of Sec. 5.4.1. In the paper, too, the error falls from stage to stage and is lower with feedback.\n\n{plot}\n{ends}\n{table}"
+            surface of Sec. 5.4.1. In the paper, too, the error falls from stage to stage and is lower with feedback. Colours are mean errors of the edges around each vertex, from none, dark, to {} and more, yellow.\n\n{plot}\n{image}\n{ends}\n{table}",
+            percent(MOST_SHOWN.into()),
         ),
     })
 }
 
 /// Pictures of the eversion, of moments evenly over it.
-const MOMENTS: usize = 9;
+const PICTURES: usize = 9;
 
 pub fn figure_20(request: &Request) -> Outcome<Section> {
     let mesh = bunny(request)?;
@@ -141,10 +161,9 @@ fn film(scene: &Scene) -> Outcome<(Vec<FrameReport>, Vec<Tile>)> {
     let (mut reports, mut tiles) = (Vec::new(), Vec::new());
     for number in 1..=frames {
         let frame = simulation.next_frame(&mut Unobserved)?;
-        if (number - 1) * (MOMENTS - 1) / (frames - 1).max(1) >= tiles.len() {
+        if (number - 1) * (PICTURES - 1) / (frames - 1).max(1) >= tiles.len() {
             let mesh = simulation.mesh();
-            let rims: Vec<[u32; 2]> = frame.rims.iter().map(|&e| mesh.edge_vertices(e).map(|v| v.0)).collect();
-            let picture = picture_of(mesh, &frame.positions, &rims, &style, BESIDE)?;
+            let picture = picture_of(mesh, &frame.positions, &rims_of(mesh, &frame), &style, BESIDE)?;
             let caption =
                 format!("frame {number}: {}, {} rims", percent(frame.report.l2_length_error), frame.report.rims);
             tiles.push(Tile { picture, caption });

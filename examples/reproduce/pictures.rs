@@ -3,14 +3,14 @@
 use super::request::{Outcome, Request};
 use super::solve::Found;
 use glam::{DVec3, Vec2};
-use immerse::immersion::pinch_points;
+use immerse::immersion::{FieldValues, length_errors, pinch_points};
 use immerse::mesh::Mesh;
 use immerse::render::{
-    Anchor, Camera, Extent, Lights, Look, LookName, Metadata, Output, Picture, Png, Scenery, TextStyle, View, render,
-    text_width,
+    Anchor, Camera, ColorMap, Extent, Field, Lights, Look, LookName, Metadata, Output, Paint, Picture, Png, Scenery,
+    TextStyle, View, render, text_width,
 };
 use immerse::scene::Scene;
-use immerse::scene::build::{look, view};
+use immerse::scene::build::view;
 
 /// Pixels of a picture that stands alone, and of one among others.
 pub const ALONE: [usize; 2] = [960, 720];
@@ -24,13 +24,9 @@ pub struct Style {
 }
 
 impl Style {
-    /// As a scene has it. Fields that give colours are not known here, so that those looks become the usual one.
+    /// From where a scene looks. Colours are the same in all pictures of the page.
     pub fn of_scene(scene: &Scene) -> Outcome<Style> {
-        let mut look = look(scene)?;
-        if !matches!(look.paint, immerse::render::Paint::Sides(_)) {
-            look = Look::default();
-        }
-        Ok(Style { view: view(scene)?, look })
+        Ok(Style { view: view(scene)?, look: Look::default() })
     }
 
     /// Seen from a direction, z upward.
@@ -62,6 +58,34 @@ pub fn picture_of(
     positions: &[DVec3],
     rims: &[[u32; 2]],
     style: &Style,
+    size: [usize; 2],
+) -> Outcome<Picture> {
+    draw(mesh, positions, rims, None, style, size)
+}
+
+/// A small picture whose colours are length errors, up to a largest one.
+pub fn picture_of_errors(found: &Found, positions: &[DVec3], most: f32) -> Outcome<Picture> {
+    let (mesh, metric) = (&found.mesh, &found.metric);
+    let errors = length_errors(mesh, metric, positions);
+    let around = |v| {
+        let (sum, count) = mesh
+            .outgoing(v)
+            .fold((0.0, 0.0), |(sum, count), h| (sum + errors[mesh.edge(h).index()].abs(), count + 1.0));
+        (sum / count) as f32
+    };
+    let values = FieldValues::PerVertex(mesh.vertices().map(around).collect());
+    let field = Field { name: "length_error".into(), values, period: None };
+    let paint = Paint::Map { map: ColorMap::Viridis, range: [0.0, most] };
+    let style = Style { look: Look { paint, ..Look::default() }, ..Style::usual() };
+    draw(mesh, positions, &[], Some(&field), &style, [420, 315])
+}
+
+fn draw(
+    mesh: &Mesh,
+    positions: &[DVec3],
+    rims: &[[u32; 2]],
+    color: Option<&Field>,
+    style: &Style,
     [width, height]: [usize; 2],
 ) -> Outcome<Picture> {
     let triangles = mesh.triangles();
@@ -76,6 +100,7 @@ pub fn picture_of(
         rims,
         boundary: &boundary,
         pinch_points: &pinches,
+        color,
         ..Scenery::default()
     };
     Ok(render(&scenery, &camera, &Lights::default(), &style.look, &output)?)

@@ -3,7 +3,7 @@
 use super::measure::mean_bending_degrees;
 use super::request::Outcome;
 use glam::DVec3;
-use immerse::evolve::{FrameReport, Progress};
+use immerse::evolve::{Frame, FrameReport, Progress};
 use immerse::mesh::{Mesh, Surface};
 use immerse::scene::Scene;
 use immerse::{Metric, Program, Simulation};
@@ -37,6 +37,9 @@ impl Polish {
     }
 }
 
+/// Moments that are kept of a film.
+pub const MOMENTS: usize = 5;
+
 /// The last surface of a simulation.
 #[derive(Clone, Debug)]
 pub struct Found {
@@ -45,6 +48,8 @@ pub struct Found {
     pub positions: Vec<DVec3>,
     /// Of all frames; there is at least one.
     pub reports: Vec<FrameReport>,
+    /// Some frames evenly over all, the first and the last among them, or the only one.
+    pub moments: Vec<Arc<Frame>>,
     /// Of the last frame: ends of edges where it folds over.
     pub rims: Vec<[u32; 2]>,
     pub bending_degrees: f64,
@@ -97,20 +102,31 @@ pub fn solve(surface: Surface, program: Program, polish: Polish) -> Outcome<Foun
     };
     let mut frame = simulation.next_frame(&mut count)?;
     let mut reports = vec![frame.report.clone()];
-    for _ in 1..simulation.clock().frames() {
+    let mut moments = vec![frame.clone()];
+    let last = simulation.clock().frames() - 1;
+    for number in 1..=last {
         frame = simulation.next_frame(&mut count)?;
         reports.push(frame.report.clone());
+        if number * (MOMENTS - 1) / last >= moments.len() {
+            moments.push(frame.clone());
+        }
     }
     let seconds = begin.elapsed().as_secs_f64();
     let mesh = simulation.mesh().clone();
     Ok(Found {
         metric: simulation.metric().clone(),
         positions: frame.positions.clone(),
-        rims: frame.rims.iter().map(|&e| mesh.edge_vertices(e).map(|v| v.0)).collect(),
+        rims: rims_of(&mesh, &frame),
         bending_degrees: mean_bending_degrees(&mesh, &frame.positions),
         mesh,
         reports,
+        moments,
         steps,
         seconds,
     })
+}
+
+/// Ends of the edges where a frame folds over.
+pub fn rims_of(mesh: &Mesh, frame: &Frame) -> Vec<[u32; 2]> {
+    frame.rims.iter().map(|&e| mesh.edge_vertices(e).map(|v| v.0)).collect()
 }

@@ -113,6 +113,12 @@ impl Sorted {
     }
 }
 
+/// The columns of ours: number of faces, and what is said of errors before polish and after, if there is an after.
+pub fn ours(faces: usize, errors: &[String]) -> [String; 3] {
+    let error = |stage: usize| errors.get(stage).cloned().unwrap_or("–".into());
+    [faces.to_string(), error(0), error(1)]
+}
+
 /// The line of a figure in the first table. `before` and `after` polish; `after` is empty where there is no polish.
 pub fn line(what: &str, paper: Option<Paper>, before: &Sorted, after: Option<&Sorted>) -> Line {
     let best = after.unwrap_or(before);

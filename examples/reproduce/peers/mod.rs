@@ -53,6 +53,7 @@ impl Given {
         let seconds = begin.elapsed().as_secs_f64();
         let rims = rims_of(&self.mesh, &self.metric, &self.spin, &positions);
         Found {
+            moments: Vec::new(),
             reports: vec![report_of(&self.mesh, &self.metric, &self.spin, &positions)],
             rims: rims.into_iter().map(|e| self.mesh.edge_vertices(e).map(|v| v.0)).collect(),
             bending_degrees: mean_bending_degrees(&self.mesh, &positions),
