@@ -11,7 +11,7 @@ use std::fmt::Write;
 pub fn genus_2(request: &Request) -> Outcome<Section> {
     // Nearest to 6000 faces.
     let keys: &[&str] = if request.quick { &["mesh.edge_length=0.2"] } else { &["mesh.edge_length=0.0687"] };
-    all_classes(request, "class_gallery", "genus2", keys, [4, 400, 300])
+    all_classes(request, "class_gallery", "genus2", keys, [4, 460, 345])
 }
 
 pub fn genus_3(request: &Request) -> Outcome<Section> {

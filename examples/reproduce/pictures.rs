@@ -112,7 +112,7 @@ const CAPTION: f64 = 0.075;
 /// Pictures beside each other in rows, each with its caption below.
 pub fn sheet(tiles: &[Tile], columns: usize) -> Picture {
     let [width, height] = tiles.first().map_or([1, 1], |tile| [tile.picture.width(), tile.picture.height()]);
-    let below = ((width as f64 * CAPTION) as usize).max(18);
+    let below = ((width as f64 * CAPTION) as usize).max(28);
     let background = Look::default().background[0];
     let mut whole = Picture::blank(columns * width, tiles.len().div_ceil(columns) * (height + below), background);
     let ink = whole.ink();
