@@ -122,7 +122,7 @@ pub fn figure_20(request: &Request) -> Outcome<Section> {
     let mut sizes: Vec<f64> = reports.iter().map(|report| report.l2_length_error).collect();
     sizes.sort_by(f64::total_cmp);
     let most = reports.iter().map(|report| report.rims).max().unwrap_or(0);
-    let what = if mesh.is_some() { "the paper's bunny" } else { "the hare that ships, in place of the bunny" };
+    let what = if mesh.is_some() { "The paper's bunny" } else { "The hare that ships, in place of the bunny," };
     let distance = last
         .mean_distance
         .map_or(String::new(), |distance| format!(", {} of its diameter from where it should be", percent(distance)));

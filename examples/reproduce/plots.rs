@@ -29,6 +29,9 @@ const GRID: RGBColor = RGBColor(0xDD, 0xDD, 0xDD);
 const WIDTH: u32 = 960;
 const HEIGHT: u32 = 330;
 
+/// Shares below this are drawn at it.
+const SMALLEST: f64 = 1e-5;
+
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Drawn<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
@@ -55,7 +58,7 @@ fn draw<'a>(area: &Area<'a>, axis: &str, panels: &[Panel]) -> Drawn<'a> {
 }
 
 fn draw_panel<'a>(area: &Area<'a>, panel: &Panel) -> Drawn<'a> {
-    let value = |y: f64| if panel.is_logarithmic { libm::log10(y.max(1e-6)) } else { y };
+    let value = |y: f64| if panel.is_logarithmic { libm::log10(y.max(SMALLEST)) } else { y };
     let all = || panel.curves.iter().flat_map(|curve| curve.points.iter().copied());
     let fold = |pick: fn(f64, f64) -> f64, start: f64, of: fn((f64, f64)) -> f64| all().map(of).fold(start, pick);
     let (left, right) = (fold(f64::min, f64::INFINITY, |p| p.0), fold(f64::max, f64::NEG_INFINITY, |p| p.0));
@@ -73,7 +76,7 @@ fn draw_panel<'a>(area: &Area<'a>, panel: &Panel) -> Drawn<'a> {
         .y_label_area_size(84)
         .build_cartesian_2d(left..right, low..high)?;
     let label = |y: &f64| match panel.is_logarithmic {
-        true if (y - y.round()).abs() < 1e-9 => format!("{} %", 100.0 * libm::pow(10.0, *y)),
+        true if (y - y.round()).abs() < 1e-9 => percent_of_exponent(*y),
         true => String::new(),
         false => format!("{y:.0}"),
     };
@@ -104,6 +107,12 @@ fn draw_panel<'a>(area: &Area<'a>, panel: &Panel) -> Drawn<'a> {
         right -= 9 * curve.name.chars().count() as i32 + 24;
     }
     Ok(())
+}
+
+/// `0.01 %` for −4.
+fn percent_of_exponent(exponent: f64) -> String {
+    let decimals = (-2.0 - exponent.round()).max(0.0) as usize;
+    format!("{:.decimals$} %", 100.0 * libm::pow(10.0, exponent.round()))
 }
 
 fn text<'a>(area: &Area<'a>, text: &str, color: &RGBColor, at: (i32, i32), side: HPos) -> Drawn<'a> {

@@ -126,8 +126,8 @@ pub fn figure_10(request: &Request) -> Outcome<Section> {
     ];
     let image = save(request, "fig10", &sheet(&tiles, 3), "a flat torus by three methods")?;
     let words = format!(
-        "The flat torus of Fig. 14 ({}). Rotations: frames and energy as ours with the phases of the paper's kind, but before each step the sign of τ is taken at each hinge such that \
-        neighbouring frames agree, which is all that rotation matrices know; so no hinge is ever a rim. The membrane is that of Fig. 9. In the paper rotations have an \
+        "The flat torus of Fig. 14 ({}). Rotations: frames, energy and phases as ours, without the stiffness of creases and without acceleration, but before each step the sign of τ is taken at each hinge such that \
+        neighbouring frames agree, which is all that rotation matrices know; so no hinge is ever a rim. The membrane is that of Fig. 9, stiff at first. In the paper rotations have an \
         error of 0.9 % and the membrane 2 %, both with pinch points. Red are pinch points, and the rims that the surface has in class 00.",
         given.words
     );
