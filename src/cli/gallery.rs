@@ -14,8 +14,8 @@ use crate::whole_file;
 
 /// The scene of which there is a picture in all looks, `looks.png`.
 const SHOWN_IN_ALL_LOOKS: &str = "flat_torus";
-/// The scene that is shown in all classes of its surface, by a sweep.
-const SHOWN_IN_ALL_CLASSES: &str = "class_gallery";
+/// The scenes that are shown in all classes of their surface, by a sweep.
+const SHOWN_IN_ALL_CLASSES: [&str; 2] = ["class_gallery", "class_gallery_3"];
 
 /// Makes `<out>/<scene>.png` of each scene, and gives those that were skipped because their input is not there. Films
 /// are kept in `work`, and gone on with.
@@ -61,8 +61,8 @@ fn show(
     poster.push(".png");
     let poster = PathBuf::from(poster);
     session.log.of_scene(&scene.name);
-    if scene.name == SHOWN_IN_ALL_CLASSES {
-        let all = work.join(format!("{SHOWN_IN_ALL_CLASSES}.sweep"));
+    if SHOWN_IN_ALL_CLASSES.contains(&scene.name.as_str()) {
+        let all = work.join(format!("{}.sweep", scene.name));
         let set = [settings, &["spin.class=all".to_owned()]].concat();
         show_sweep(&Request { scene: path, mesh: None, set: &set, out: Some(&all), restart }, &all, &poster, session)?;
         return Ok(poster);

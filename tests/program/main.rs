@@ -27,6 +27,7 @@ mod numpy;
 mod overlap;
 mod process;
 mod report;
+mod reproduction;
 mod set;
 mod shipped_scenes;
 mod step_limit;
