@@ -132,9 +132,11 @@ pub const LARGEST_HINGE_TURN: f64 = 1.5;
 /// How often a step of polish is halved before it is given up.
 pub const HALVINGS_OF_A_POLISH_STEP: usize = 20;
 
-/// What the weight of bending is multiplied with between two steps of polish: as a rule, and after whole steps that move
-/// no vertex farther than [`FAR_MOVE`] and [`NEAR_MOVE`].
-pub const POLISH_FADES: [f64; 3] = [0.5, 0.1, 0.01];
+/// What the weight of bending is multiplied with between two steps of polish, as a rule.
+pub const POLISH_FADE: f64 = 0.5;
+
+/// The same after whole steps that move no vertex farther than [`FAR_MOVE`], and than [`NEAR_MOVE`].
+pub const FAST_FADES: [f64; 2] = [0.1, 0.01];
 
 /// Steps of polish with the same weight of bending. With one, tori end with more bending.
 pub const STEPS_PER_STIFFNESS: usize = 2;
@@ -149,7 +151,7 @@ pub const NEAR_MOVE: f64 = 0.003;
 pub const SOFTEST_POLISH: f64 = 1e-30;
 
 /// L2 length error at which edges have their lengths: that of rounding.
-pub const ISOMETRIC: f64 = 1e-14;
+pub const ISOMETRIC: f64 = 1e-13;
 
 /// The share by which length errors must get better in eight steps, once bending does not hold them back any more.
 pub const POLISH_GAIN: f64 = 0.02;
@@ -167,9 +169,18 @@ pub const STEPS_OF_NEAR_POLISH: usize = 3;
 /// Where the surface may go far, without handles: there is an isometric immersion near it or none.
 pub const FIRM_POLISH: f64 = 1e-3;
 
-/// On surfaces with handles, whose lengths are over-determined: they have to find a fit on a way of their own, and of two the
-/// better one is taken.
-pub const STIFF_POLISH: [f64; 2] = [0.3, 1.0];
+/// What holds neighbouring vertices of a convex surface together while it is polished without bending.
+pub const MEMBRANE_HOLD: f64 = 1e-7;
+
+/// On surfaces with handles, whose lengths are over-determined: they have to find a fit on a way of their own, and of several the
+/// best one is taken. Weights of bending, and what they are multiplied with; the first two are always tried.
+pub const STIFF_POLISH: [(f64, f64); 3] = [(0.3, POLISH_FADE), (1.0, POLISH_FADE), (0.3, 0.7)];
+
+/// The weight of bending that the best one is made stiff with once more.
+pub const REHEATING: f64 = 0.1;
+
+/// L2 length error at which no more than two ways are tried.
+pub const GOOD_FIT: f64 = 4e-4;
 
 /// L2 length error at which no further attempt is made.
 pub const ACCURATE_POLISH: f64 = 1e-8;

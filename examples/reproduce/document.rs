@@ -1,7 +1,6 @@
 //! REPRODUCTION.md: parts that were made now, and those of earlier runs as they were.
 
 use super::request::{Outcome, Request};
-use super::solve::Polish;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::fs;
@@ -104,7 +103,6 @@ const HEADER: &str = "\
 
 fn introduction() -> String {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let none = if Polish::ALL.len() == 1 { "; this version has none, so that its column is empty" } else { "" };
     format!(
         "# The paper made again
 
@@ -121,7 +119,7 @@ are wall seconds on {cores} cores, whatever else these had to do.
 Errors are relative errors of edge lengths: L2 is the root of their mean square, p95 the 95th percentile of their absolute values.
 Rims are edges where the surface folds over, pinch points are vertices whose star is a figure eight; the paper counts rims only.
 Where frames start at random, all of seeds 0 to 4 are run, and a line has the median and the worst of them by L2 error.
-Polish is a last step that moves positions alone, toward exact lengths{none}. A miss is a line with rims, pinch points, another class than
+Polish is a last step that moves positions alone, toward exact lengths. A miss is a line with rims, pinch points, another class than
 was asked for, or a larger error than the paper's."
     )
 }

@@ -3,7 +3,7 @@
 use super::measure::mean_bending_degrees;
 use super::request::Outcome;
 use glam::DVec3;
-use immerse::evolve::{Frame, FrameReport, Progress};
+use immerse::evolve::{Frame, FrameReport, Polishing, Progress};
 use immerse::mesh::{Mesh, Surface};
 use immerse::scene::Scene;
 use immerse::{Metric, Program, Simulation};
@@ -17,22 +17,26 @@ use std::time::Instant;
 pub enum Polish {
     /// The surface as frames integrate to it.
     Before,
+    /// Every frame polished.
+    After,
 }
 
 impl Polish {
     /// All that is measured.
-    pub const ALL: [Polish; 1] = [Polish::Before];
+    pub const ALL: [Polish; 2] = [Polish::Before, Polish::After];
 
     /// THE place where a program is asked to polish or not to.
     fn ask(self, program: Program) -> Program {
         match self {
-            Polish::Before => program,
+            Polish::Before => Program { polish: Polishing::Off, ..program },
+            Polish::After => Program { polish: Polishing::Every, ..program },
         }
     }
 
     pub fn name(self) -> &'static str {
         match self {
             Polish::Before => "before",
+            Polish::After => "after",
         }
     }
 }

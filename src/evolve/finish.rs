@@ -10,7 +10,10 @@ use super::state::State;
 use crate::immersion::{bending_angles, is_convex, pinch_points, rimless_frames};
 use crate::mesh::VertexId;
 use crate::polish::{Ending, Polish, PolishReport, Polished, Watch};
-use crate::tuning::{ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, NEAR_POLISH, STEPS_OF_NEAR_POLISH, STIFF_POLISH};
+use crate::tuning::{
+    ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, GOOD_FIT, MEMBRANE_HOLD, NEAR_POLISH, REHEATING, STEPS_OF_NEAR_POLISH,
+    STIFF_POLISH,
+};
 use glam::{DQuat, DVec3};
 
 /// Positions of the whole surface after polish, and what there is to say of them.
@@ -126,33 +129,71 @@ fn polished(
         }
         None => None,
     };
-    let (shells, max_steps): (&[f64], usize) = match (reach, &rest) {
-        (Reach::Near, _) => (&[NEAR_POLISH], STEPS_OF_NEAR_POLISH),
-        (Reach::Far, Some(_)) => (&[GENTLE_POLISH], Polish::default().max_steps),
-        (Reach::Far, None) if state.betti() == 0 => (&[FIRM_POLISH], Polish::default().max_steps),
-        (Reach::Far, None) => (&STIFF_POLISH, Polish::default().max_steps),
-    };
-    let membranes: &[f64] = match rest {
-        None if is_convex(state.mesh(), state.metric()) && pinned.is_empty() => &[GENTLE_POLISH],
-        _ => &[],
-    };
-    let attempts = membranes.iter().map(|stiffness| (true, *stiffness));
-    let attempts = attempts.chain(shells.iter().map(|stiffness| (false, *stiffness)));
     let mut best = unchanged();
-    for (is_membrane, stiffness) in attempts {
-        let polish = Polish { stiffness, is_membrane, max_bending_growth, max_steps };
-        let next = polish.apply(state.mesh(), state.metric(), positions, rest.as_deref(), &pinned, watch);
+    let before = best.report;
+    for Attempt { stiffness, fade, is_membrane, max_steps, goes_on, enough } in
+        attempts(relaxation, reach, rest.is_some())
+    {
+        if best.report.l2_length_error <= enough {
+            break;
+        }
+        let from = if goes_on { best.positions.clone() } else { positions.to_vec() };
+        let most_bending = (1.0 + max_bending_growth) * before.mean_bending;
+        let now = if goes_on { best.report.mean_bending } else { before.mean_bending };
+        let max_bending_growth = if now > 0.0 { most_bending / now - 1.0 } else { max_bending_growth };
+        let polish = Polish { stiffness, is_membrane, fade, max_bending_growth, max_steps };
+        let next = polish.apply(state.mesh(), state.metric(), &from, rest.as_deref(), &pinned, watch);
         let steps = best.report.steps + next.report.steps;
         let is_better = next.report.l2_length_error < best.report.l2_length_error;
         if is_better && is_in_class(state, &next.positions) {
-            best = next;
+            let PolishReport { l2_length_error, mean_bending, ending, .. } = next.report;
+            best.positions = next.positions;
+            best.report = PolishReport { l2_length_error, mean_bending, ending, ..before };
         }
         best.report.steps = steps;
-        if best.report.l2_length_error <= ACCURATE_POLISH {
-            break;
-        }
     }
     best
+}
+
+/// A way that polish may take.
+struct Attempt {
+    stiffness: f64,
+    fade: f64,
+    is_membrane: bool,
+    max_steps: usize,
+    /// Whether it begins with the best surface so far, not with the one that is to be polished.
+    goes_on: bool,
+    /// L2 length error at which it is not taken any more.
+    enough: f64,
+}
+
+/// The ways that polish tries on a component, one after another.
+fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attempt> {
+    let state = relaxation.state();
+    let usual = Polish::default();
+    let once = |stiffness, max_steps| Attempt {
+        stiffness,
+        fade: usual.fade,
+        is_membrane: false,
+        max_steps,
+        goes_on: false,
+        enough: ACCURATE_POLISH,
+    };
+    let mut all = Vec::new();
+    if !has_rest && state.pins().is_empty() && is_convex(state.mesh(), state.metric()) {
+        all.push(Attempt { is_membrane: true, ..once(MEMBRANE_HOLD, usual.max_steps) });
+    }
+    match reach {
+        Reach::Near => all.push(once(NEAR_POLISH, STEPS_OF_NEAR_POLISH)),
+        Reach::Far if has_rest => all.push(once(GENTLE_POLISH, usual.max_steps)),
+        Reach::Far if state.betti() == 0 => all.push(once(FIRM_POLISH, usual.max_steps)),
+        Reach::Far => {
+            all.extend(STIFF_POLISH.map(|(stiffness, fade)| Attempt { fade, ..once(stiffness, usual.max_steps) }));
+            all.push(Attempt { goes_on: true, ..once(REHEATING, usual.max_steps) });
+            all.iter_mut().skip(2).for_each(|attempt| attempt.enough = GOOD_FIT);
+        }
+    }
+    all
 }
 
 /// Whether a surface has no pinch points and is in the class that it should be in.

@@ -7,8 +7,8 @@ use crate::immersion::{RigidMotion, length_error};
 use crate::mesh::{Mesh, VertexId};
 use crate::metric::Metric;
 use crate::tuning::{
-    FACE_AREA_LEFT, FAR_MOVE, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE, POLISH_FADES,
-    POLISH_GAIN, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
+    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE,
+    POLISH_FADE, POLISH_GAIN, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
 };
 use glam::DVec3;
 use std::ops::ControlFlow;
@@ -21,6 +21,8 @@ pub struct Polish {
     /// Whether bending costs nothing, and the stiffness but holds the moves of neighbouring vertices together. That takes a
     /// third of the time, and is right for surfaces that are smooth and rigid, as convex ones are.
     pub is_membrane: bool,
+    /// What the weight of bending is multiplied with after every second step, where steps are not short.
+    pub fade: f64,
     /// By which share the mean bending angle may grow.
     pub max_bending_growth: f64,
     /// The largest number of Newton steps.
@@ -28,9 +30,9 @@ pub struct Polish {
 }
 
 impl Default for Polish {
-    /// A shell of 10⁻⁴, a fifth, 120 steps.
+    /// A shell of 10⁻⁴, one half, a fifth, 120 steps.
     fn default() -> Polish {
-        Polish { stiffness: 1e-4, is_membrane: false, max_bending_growth: 0.2, max_steps: 120 }
+        Polish { stiffness: 1e-4, is_membrane: false, fade: POLISH_FADE, max_bending_growth: 0.2, max_steps: 120 }
     }
 }
 
@@ -149,7 +151,7 @@ impl<'a> Descent<'a> {
                 if self.stiffness.0 < self.best_strain * self.best_strain {
                     return Ending::BestFit;
                 }
-                (self.stiffness.0, since_fade) = (self.stiffness.0 * POLISH_FADES[0], 0);
+                (self.stiffness.0, since_fade) = (self.stiffness.0 * self.polish.fade, 0);
                 continue;
             };
             since_fade += 1;
@@ -178,9 +180,9 @@ impl<'a> Descent<'a> {
             }
             // Where steps are short and whole, the next surface is near, and there is nothing to be careful about.
             let fade = match step {
-                Step { share: 1.0, farthest } if farthest < NEAR_MOVE => POLISH_FADES[2],
-                Step { share: 1.0, farthest } if farthest < FAR_MOVE => POLISH_FADES[1],
-                _ if since_fade >= STEPS_PER_STIFFNESS => POLISH_FADES[0],
+                Step { share: 1.0, farthest } if farthest < NEAR_MOVE => FAST_FADES[1],
+                Step { share: 1.0, farthest } if farthest < FAR_MOVE => FAST_FADES[0],
+                _ if since_fade >= STEPS_PER_STIFFNESS => self.polish.fade,
                 _ => continue,
             };
             (self.stiffness.0, since_fade) = (self.stiffness.0 * fade, 0);
