@@ -7,7 +7,7 @@ use super::progress::Observer;
 use super::relax::Relaxation;
 use super::report::whole;
 use super::state::State;
-use crate::immersion::{bending_angles, is_convex, pinch_points, rimless_frames};
+use crate::immersion::{RigidMotion, bending_angles, is_convex, pinch_points, rimless_frames};
 use crate::mesh::VertexId;
 use crate::polish::{Ending, Polish, PolishReport, Polished, Watch};
 use crate::tuning::{
@@ -49,8 +49,8 @@ impl Polishing {
         let nothing_follows = of == 1 || matches!(pace, Pace::EachClass);
         match self {
             Polishing::Off => None,
-            Polishing::Last => (nothing_follows || frame == of).then_some(Reach::Far),
-            Polishing::Every if nothing_follows => Some(Reach::Far),
+            Polishing::Last | Polishing::Every if nothing_follows => Some(Reach::Alone),
+            Polishing::Last => (frame == of).then_some(Reach::Far),
             Polishing::Every => Some(Reach::Near),
         }
     }
@@ -63,6 +63,8 @@ pub(super) enum Reach {
     Near,
     /// As far as it pays.
     Far,
+    /// As far as it pays, and it may lie otherwise than before, since no frame is beside it.
+    Alone,
 }
 
 /// Polishes each component of a surface, and lays it where it was.
@@ -83,13 +85,18 @@ pub(super) fn finish(
         let state = relaxation.state();
         let own = state.component().vertices.pick(&positions);
         let mut is_stopped = false;
-        let polished = polished(relaxation, &own, reach, max_bending_growth, &mut |step| {
+        let mut polished = polished(relaxation, &own, reach, max_bending_growth, &mut |step| {
             let flow = observer.after_polish_step(step);
             is_stopped |= flow.is_break();
             flow
         });
         if is_stopped {
             return Err(EvolveError::Stopped { steps: relaxation.cursor().steps });
+        }
+        if reach == Reach::Alone && components.len() == 1 && relaxation.placement().is_free(state) {
+            let motion =
+                RigidMotion::to_principal_axes(&polished.positions, &state.metric().vertex_areas(state.mesh()));
+            polished.positions.iter_mut().for_each(|p| *p = motion.point(*p));
         }
         state.component().vertices.put(&polished.positions, &mut positions);
         let own_frames = match polished.report.ending {
@@ -99,7 +106,7 @@ pub(super) fn finish(
         state.component().faces.put(&own_frames, &mut face_frames);
         reports.push(polished.report);
     }
-    let face_frames = (reach == Reach::Far).then_some(face_frames);
+    let face_frames = (reach != Reach::Near).then_some(face_frames);
     Ok(Finished { positions, face_frames, report: Some(whole(&reports, components)) })
 }
 
@@ -124,7 +131,7 @@ fn polished(
     let rest = match state.target_angles() {
         Some((angles, _)) => Some(angles.to_vec()),
         // A shape that was asked for is kept.
-        None if relaxation.placement().starts_from_shape() && reach == Reach::Far => {
+        None if relaxation.placement().starts_from_shape() && reach != Reach::Near => {
             Some(bending_angles(state.mesh(), positions))
         }
         None => None,
@@ -185,9 +192,9 @@ fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attemp
     }
     match reach {
         Reach::Near => all.push(once(NEAR_POLISH, STEPS_OF_NEAR_POLISH)),
-        Reach::Far if has_rest => all.push(once(GENTLE_POLISH, usual.max_steps)),
-        Reach::Far if state.betti() == 0 => all.push(once(FIRM_POLISH, usual.max_steps)),
-        Reach::Far => {
+        Reach::Far | Reach::Alone if has_rest => all.push(once(GENTLE_POLISH, usual.max_steps)),
+        Reach::Far | Reach::Alone if state.betti() == 0 => all.push(once(FIRM_POLISH, usual.max_steps)),
+        Reach::Far | Reach::Alone => {
             all.extend(STIFF_POLISH.map(|(stiffness, fade)| Attempt { fade, ..once(stiffness, usual.max_steps) }));
             all.push(Attempt { goes_on: true, ..once(REHEATING, usual.max_steps) });
             all.iter_mut().skip(2).for_each(|attempt| attempt.enough = GOOD_FIT);

@@ -2,7 +2,7 @@
 
 use super::error::{EvolveError, SetupError};
 use super::frame::Frame;
-use super::program::{AskedClass, Orientation, Program, Start};
+use super::program::{AskedClass, Orientation, Polishing, Program, Start};
 use super::progress::{Observer, Unobserved};
 use super::relax::Schedule;
 use super::report::FrameReport;
@@ -111,6 +111,12 @@ impl<'a> Immersion<'a> {
     pub fn schedule(mut self, schedule: Schedule) -> Self {
         self.program.schedule = schedule;
         self.has_schedule = true;
+        self
+    }
+
+    /// With these frames polished; left out, it is the last one. Surfaces with many faces take long.
+    pub fn polish(mut self, polish: Polishing) -> Self {
+        self.program.polish = polish;
         self
     }
 

@@ -48,6 +48,11 @@ impl Placement {
         self.original.as_deref()
     }
 
+    /// Whether nothing says where the surface lies, so that it is laid along its principal axes.
+    pub fn is_free(&self, state: &State) -> bool {
+        self.original.is_none() && self.start.is_none() && state.pins().is_empty()
+    }
+
     /// Whether frames start from positions.
     pub fn starts_from_shape(&self) -> bool {
         self.start.is_some()

@@ -38,7 +38,8 @@ const ASIDE: DVec3 = DVec3::new(3.0, 0.0, 0.0);
 /// A scale by a power of two changes no rounding, so frames must agree to the last bit up to where the surface lies.
 #[test]
 fn a_small_torus_beside_a_large_one_ends_as_it_does_alone() {
-    let text = "[start]\nrandom = 1";
+    // In other units numbers are rounded otherwise, and of a torus so coarse polish makes more of that than is asked here.
+    let text = "[start]\nrandom = 1\n[polish]\nenabled = false";
     let (torus, both) = (torus(), together(&[(&torus(), 1.0, DVec3::ZERO), (&torus(), SMALL, ASIDE)]));
     let (alone, frame_alone) = relaxed(&torus, text);
     let (_, frame) = relaxed(&both, text);

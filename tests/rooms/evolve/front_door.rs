@@ -2,7 +2,7 @@
 
 use crate::support::scene;
 use glam::DVec3;
-use immerse::evolve::{Cursor, EvolveError, ImmersionError, Program, Schedule, SetupError, Simulation};
+use immerse::evolve::{Cursor, EvolveError, ImmersionError, Polishing, Program, Schedule, SetupError, Simulation};
 use immerse::mesh::{Surface, SurfaceError, shapes};
 use immerse::metric::{Lengths, MetricProgram, lengths_of_positions};
 use immerse::spin::SpinError;
@@ -20,9 +20,10 @@ fn torus() -> (immerse::Mesh, Vec<DVec3>, Metric) {
 #[test]
 fn it_is_the_simulation_that_a_scene_asks_for() {
     let (mesh, _, metric) = torus();
-    let shape = Immersion::of(&mesh, &metric).class("01".parse().expect("a class")).seed(3).relax().expect("a shape");
+    let shape = Immersion::of(&mesh, &metric).class("01".parse().expect("a class")).seed(3).polish(Polishing::Off);
+    let shape = shape.relax().expect("a shape");
     let text = "[mesh]\nshape = 'torus'\nminor_radius = 0.4\ncolumns = 24\nrows = 12\n[spin]\nclass = '01'\n\
-                [start]\nrandom = 3\norientation = 'as it comes'\n";
+                [start]\nrandom = 3\norientation = 'as it comes'\n[polish]\nenabled = false\n";
     let mut of_scene = scene(text).simulation().expect("a simulation");
     let frame = of_scene.next_frame(&mut immerse::evolve::Unobserved).expect("a frame");
     // The scene knows positions, and the immersion does not, so that they lie in other places.

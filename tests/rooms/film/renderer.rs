@@ -17,7 +17,8 @@ fn pictures_are_those_of_this_renderer() {
     for (look, _) in LookName::ALL {
         let text = format!(
             "[mesh]\nshape = 'torus'\ncolumns = 16\nrows = 8\n[start]\nfrom = 'mesh'\n[look]\npreset = '{look}'\n\
-             [[look.text]]\ntext = 'frame {{frame}}'\n[output]\nsize = [120, 90]\nsamples = 4\nformat = ['png', 'exr']\n"
+             [[look.text]]\ntext = 'frame {{frame}}'\n[output]\nsize = [120, 90]\nsamples = 4\nformat = ['png', 'exr']\n\
+             [polish]\nenabled = false\n"
         );
         let scene = Scene::parse(&text, "test", Path::new(".")).unwrap_or_else(|error| panic!("{text}: {error}"));
         let folder = tempfile::tempdir().expect("a folder");
