@@ -116,7 +116,7 @@ fn a_pinched_surface_has_no_class() {
 #[test]
 fn the_program_shows_that_there_is_no_class() {
     let text = "[mesh]\nshape = 'flat_torus'\ncolumns = 16\nrows = 14\n[[phase]]\nmin_steps = 1\nmax_steps = 1\n\
-                [output]\nsize = [64, 48]\nsamples = 1\n[checks]\nclass = '00'\n[[look.text]]\ntext = 'class {class}'\n";
+                [clock]\nframes = 2\nsteps_per_frame = 1\n[output]\nsize = [64, 48]\nsamples = 1\n[checks]\nclass = '00'\n[[look.text]]\ntext = 'class {class}'\n";
     let folder = folder_with(&[("pinched.toml", text)]);
     let (code, out, err) = program(folder.path(), &["run", "pinched.toml", "--out", "film", "-q"]);
     assert_eq!(code, 1, "{err}");
