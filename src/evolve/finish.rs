@@ -191,7 +191,10 @@ fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attemp
         all.push(Attempt { is_membrane: true, ..once(MEMBRANE_HOLD, usual.max_steps) });
     }
     match reach {
-        Reach::Near => all.push(once(NEAR_POLISH, STEPS_OF_NEAR_POLISH)),
+        Reach::Near => {
+            let (stiffness, fade) = NEAR_POLISH;
+            all.push(Attempt { fade, ..once(stiffness, STEPS_OF_NEAR_POLISH) });
+        }
         Reach::Far | Reach::Alone if has_rest => all.push(once(GENTLE_POLISH, usual.max_steps)),
         Reach::Far | Reach::Alone if state.betti() == 0 => all.push(once(FIRM_POLISH, usual.max_steps)),
         Reach::Far | Reach::Alone => {
