@@ -17,7 +17,7 @@ use std::time::Instant;
 pub enum Polish {
     /// The surface as frames integrate to it.
     Before,
-    /// Every frame polished.
+    /// The last frame polished, which is the one that is told of.
     After,
 }
 
@@ -29,7 +29,7 @@ impl Polish {
     fn ask(self, program: Program) -> Program {
         match self {
             Polish::Before => Program { polish: Polishing::Off, ..program },
-            Polish::After => Program { polish: Polishing::Every, ..program },
+            Polish::After => Program { polish: Polishing::Last, ..program },
         }
     }
 
