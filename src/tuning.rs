@@ -163,8 +163,8 @@ pub const GENTLE_POLISH: f64 = 1e-4;
 /// every second step.
 pub const NEAR_POLISH: (f64, f64) = (1e-5, 0.3);
 
-/// Steps in each frame of a film. With three, errors of `breathing_torus` are a third of what they were; with six they take as long as
-/// twice the simulation.
+/// Steps in each frame of a film. With three, errors of `breathing_torus` are a third of what they were; with six a quarter, in
+/// nearly four times the time of the simulation alone.
 pub const STEPS_OF_NEAR_POLISH: usize = 6;
 
 /// Where the surface may go far, without handles: there is an isometric immersion near it or none.
