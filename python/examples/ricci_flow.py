@@ -19,7 +19,7 @@ TIMES = (0.0, 0.03, 0.08, 0.16, 0.32, 1.0)
 
 
 def main(path: str) -> None:
-    mesh, sphere = immerse.Mesh.shape("sphere", subdivisions=20)
+    mesh, sphere = immerse.Mesh.shape("sphere", subdivisions=10)
     assert sphere is not None
     x, y, z = sphere.T
     dented = sphere * (1 + 0.16 * np.sin(3.2 * x + 0.4) * np.cos(2.6 * y) + 0.12 * np.sin(3.4 * z))[:, None]
