@@ -43,7 +43,12 @@ impl Made {
     }
 }
 
-impl Case<'_> {
+impl<'a> Case<'a> {
+    /// A scene, with some keys set, that starts at a shape.
+    fn of(name: &'a str, what: &'a str, paper: Option<Paper>, scene: PathBuf, set: Vec<String>) -> Case<'a> {
+        Case { name, what, paper, scene, set, mesh: None, seeds: Vec::new() }
+    }
+
     fn make(&self, table: &mut Table) -> Outcome<Made> {
         let mut stages = Vec::new();
         let plain = scene(&self.scene, &self.set, self.mesh.as_ref())?;
@@ -154,15 +159,7 @@ pub fn figure_2(request: &Request) -> Outcome<Section> {
 pub fn figure_12(request: &Request) -> Outcome<Section> {
     let keys = if request.quick { set(&["mesh.subdivisions=8"]) } else { Vec::new() };
     let scene = shipped("deflated_ball");
-    let case = Case {
-        name: "fig12",
-        what: "Fig. 12, deflated ball",
-        paper: paper(8000, 1.2, 0),
-        scene,
-        set: keys,
-        mesh: None,
-        seeds: Vec::new(),
-    };
+    let case = Case::of("fig12", "Fig. 12, deflated ball", paper(8000, 1.2, 0), scene, keys);
     case.section(
         request,
         "The lengths of a round sphere, near a ball with dents, without any bending (`scenes/deflated_ball.toml`).",
@@ -172,15 +169,7 @@ pub fn figure_12(request: &Request) -> Outcome<Section> {
 pub fn figure_13(request: &Request) -> Outcome<Section> {
     let keys = if request.quick { set(&["mesh.columns=40", "mesh.rows=25"]) } else { Vec::new() };
     let scene = shipped("soda_can");
-    let case = Case {
-        name: "fig13",
-        what: "Fig. 13, soda can",
-        paper: paper(18000, 2.13, 0),
-        scene,
-        set: keys,
-        mesh: None,
-        seeds: Vec::new(),
-    };
+    let case = Case::of("fig13", "Fig. 13, soda can", paper(18000, 2.13, 0), scene, keys);
     case.section(request, "The lengths of a straight cylinder between two rigid rings (`scenes/soda_can.toml`).")
 }
 
@@ -230,15 +219,7 @@ pub fn figure_14(request: &Request) -> Outcome<Section> {
 pub fn figure_15(request: &Request) -> Outcome<Section> {
     let keys: &[&str] = if request.quick { &["mesh.columns=30", "mesh.rows=24", "clock.frames=6"] } else { &[] };
     let scene = shipped("ricci_torus");
-    let case = Case {
-        name: "fig15",
-        what: "Fig. 15, Ricci torus",
-        paper: paper(6174, 5.24, 2),
-        scene,
-        set: set(keys),
-        mesh: None,
-        seeds: Vec::new(),
-    };
+    let case = Case::of("fig15", "Fig. 15, Ricci torus", paper(6174, 5.24, 2), scene, set(keys));
     case.section(request, "A torus of revolution of 62 by 50 vertices (the paper's 3087 are perhaps 63 by 49; ours takes an even number of rows) flows to a flat one (`scenes/ricci_torus.toml`); the pictures are its first, middle and last frame.")
 }
 
@@ -246,15 +227,7 @@ pub fn figure_16(request: &Request) -> Outcome<Section> {
     let keys: &[&str] = if request.quick { &["mesh.faces=2000", "mesh.radius=3"] } else { &[] };
     let scene = own("hyperbolic_disk_5");
     let seeds = request.seeds();
-    let case = Case {
-        name: "fig16",
-        what: "Fig. 16, hyperbolic disk",
-        paper: paper(19220, 7.0, 0),
-        scene,
-        set: set(keys),
-        mesh: None,
-        seeds,
-    };
+    let case = Case { seeds, ..Case::of("fig16", "Fig. 16, hyperbolic disk", paper(19220, 7.0, 0), scene, set(keys)) };
     case.section(
         request,
         "A disk of radius 5 in the hyperbolic plane of curvature −1 from random frames; its mesh is the one whose size is nearest to the paper's. The paper does not say how large its disk is; \
@@ -265,15 +238,7 @@ pub fn figure_16(request: &Request) -> Outcome<Section> {
 pub fn figure_17(request: &Request) -> Outcome<Section> {
     let keys: &[&str] = if request.quick { &["mesh.subdivisions=5", "clock.frames=6"] } else { &[] };
     let scene = shipped("genus_two_polyhedron");
-    let case = Case {
-        name: "fig17",
-        what: "Fig. 17, polyhedron of genus 2",
-        paper: paper(8298, 1.15, 1),
-        scene,
-        set: set(keys),
-        mesh: None,
-        seeds: Vec::new(),
-    };
+    let case = Case::of("fig17", "Fig. 17, polyhedron of genus 2", paper(8298, 1.15, 1), scene, set(keys));
     case.section(
         request,
         "A polyhedron of genus 2 with negative curvature at its 12 corners, each of its 28 triangles cut into 17², flows to curvature −1 \
@@ -287,15 +252,7 @@ const DUCK: &str = "mesh.edge_length=0.04486";
 pub fn figure_18(request: &Request) -> Outcome<Section> {
     let keys: &[&str] = if request.quick { &["mesh.edge_length=0.09", "clock.frames=6"] } else { &[DUCK] };
     let scene = shipped("double_duck");
-    let case = Case {
-        name: "fig18",
-        what: "Fig. 18, double duck",
-        paper: paper(11608, 0.7, 8),
-        scene,
-        set: set(keys),
-        mesh: None,
-        seeds: Vec::new(),
-    };
+    let case = Case::of("fig18", "Fig. 18, double duck", paper(11608, 0.7, 8), scene, set(keys));
     case.section(
         request,
         "Two ducks of genus 2, sculpted anew (`scenes/double_duck.toml`), flow to curvature −1, with a little bending left as in the paper; \
@@ -307,15 +264,8 @@ pub fn figure_19(request: &Request) -> Outcome<Section> {
     let keys: &[&str] = if request.quick { &["mesh.edge_length=0.09"] } else { &[DUCK] };
     let scene = shipped("double_duck_random");
     let seeds = request.seeds();
-    let case = Case {
-        name: "fig19",
-        what: "Fig. 19, double duck at random",
-        paper: paper(11608, 2.4, 4),
-        scene,
-        set: set(keys),
-        mesh: None,
-        seeds,
-    };
+    let case =
+        Case { seeds, ..Case::of("fig19", "Fig. 19, double duck at random", paper(11608, 2.4, 4), scene, set(keys)) };
     case.section(
         request,
         "The metric of Fig. 18 from random frames (`scenes/double_duck_random.toml`). The paper's Table 1 says 2.4 %, its caption 2.13 %.",
