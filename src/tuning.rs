@@ -129,6 +129,9 @@ pub const FACE_AREA_LEFT: f64 = 0.2;
 /// The largest turn of a hinge in a step of polish, in radians (86°). An angle that passes 180° jumps by more.
 pub const LARGEST_HINGE_TURN: f64 = 1.5;
 
+/// By which share polish may make the mean bending angle grow, where nothing else is asked for.
+pub const MAX_BENDING_GROWTH: f64 = 0.2;
+
 /// How often a step of polish is halved before it is given up.
 pub const HALVINGS_OF_A_POLISH_STEP: usize = 20;
 

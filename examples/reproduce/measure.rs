@@ -4,23 +4,15 @@ use glam::{DQuat, DVec3};
 use immerse::Metric;
 use immerse::evolve::{FrameReport, NO_CLASS};
 use immerse::frames::Shell;
-use immerse::immersion::{bending_angles, is_figure_8, length_error, pinch_points, rimless_frames};
+use immerse::immersion::{class_of_positions, length_error, pinch_points, rimless_frames};
 use immerse::mesh::{EdgeId, Mesh};
-use immerse::spin::{Class, Homology, SpinStructure};
-
-/// Mean of the absolute bending angles of interior edges, in degrees.
-pub fn mean_bending_degrees(mesh: &Mesh, positions: &[DVec3]) -> f64 {
-    let angles = bending_angles(mesh, positions);
-    let (sum, count) =
-        mesh.interior_edges().fold((0.0, 0), |(sum, count), e| (sum + angles[e.index()].abs(), count + 1));
-    f64::to_degrees(sum / f64::from(count.max(1)))
-}
+use immerse::spin::{Homology, SpinStructure};
 
 /// What positions are worth: lengths, pinch points, class, and the rims that they have in the class of a spin structure.
 pub fn report_of(mesh: &Mesh, metric: &Metric, spin: &SpinStructure, positions: &[DVec3]) -> FrameReport {
     let error = length_error(mesh, metric, positions);
     let homology = Homology::new(mesh, metric);
-    let class = homology.generators().iter().map(|g| is_figure_8(mesh, positions, &g.strip)).collect();
+    let class = class_of_positions(mesh, &homology, positions);
     let pinches = pinch_points(mesh, positions).len();
     FrameReport {
         l2_length_error: error.l2,
@@ -29,7 +21,7 @@ pub fn report_of(mesh: &Mesh, metric: &Metric, spin: &SpinStructure, positions: 
         p95_length_error: error.p95,
         rims: rims_of(mesh, metric, spin, positions).len(),
         pinch_points: pinches,
-        spin_class: if pinches == 0 { Class::new(class).to_string() } else { NO_CLASS.into() },
+        spin_class: if pinches == 0 { class.to_string() } else { NO_CLASS.into() },
         ..FrameReport::default()
     }
 }

@@ -1,10 +1,10 @@
 //! From what is asked for to what is measured of the surface that was found.
 
-use super::measure::mean_bending_degrees;
 use super::request::Outcome;
 use glam::DVec3;
 use immerse::evolve::{Frame, FrameReport, Polishing, Progress};
 use immerse::mesh::{Mesh, Surface};
+use immerse::polish::mean_bending;
 use immerse::scene::Scene;
 use immerse::{Metric, Program, Simulation};
 use std::ops::ControlFlow;
@@ -121,7 +121,7 @@ pub fn solve(surface: Surface, program: Program, polish: Polish) -> Outcome<Foun
         metric: simulation.metric().clone(),
         positions: frame.positions.clone(),
         rims: rims_of(&mesh, &frame),
-        bending_degrees: mean_bending_degrees(&mesh, &frame.positions),
+        bending_degrees: mean_bending(&mesh, &frame.positions).to_degrees(),
         mesh,
         reports,
         moments,

@@ -5,7 +5,6 @@ use super::pace::Pace;
 use super::program::Polishing;
 use super::progress::Observer;
 use super::relax::Relaxation;
-use super::report::whole;
 use super::state::State;
 use crate::immersion::{RigidMotion, bending_angles, is_convex, pinch_points, rimless_frames};
 use crate::mesh::VertexId;
@@ -22,13 +21,14 @@ pub(super) struct Finished {
     pub positions: Vec<DVec3>,
     /// Frames of these positions, |F|; `None` where those of the state are nearer to how they were found.
     pub face_frames: Option<Vec<DQuat>>,
-    pub report: Option<PolishReport>,
+    /// Per component; none where nothing was polished.
+    pub reports: Vec<PolishReport>,
 }
 
 impl Finished {
     /// Positions as frames integrate to.
     pub fn unpolished(positions: Vec<DVec3>) -> Finished {
-        Finished { positions, face_frames: None, report: None }
+        Finished { positions, face_frames: None, reports: Vec::new() }
     }
 }
 
@@ -107,7 +107,7 @@ pub(super) fn finish(
         reports.push(polished.report);
     }
     let face_frames = (reach != Reach::Near).then_some(face_frames);
-    Ok(Finished { positions, face_frames, report: Some(whole(&reports, components)) })
+    Ok(Finished { positions, face_frames, reports })
 }
 
 /// The polished component. A surface that is pinched, has rims or another class than it should is left alone, and what would
@@ -138,18 +138,18 @@ fn polished(
     };
     let mut best = unchanged();
     let before = best.report;
-    for Attempt { stiffness, fade, is_membrane, max_steps, goes_on, enough } in
-        attempts(relaxation, reach, rest.is_some())
-    {
+    for Attempt { polish, goes_on, enough } in attempts(relaxation, reach, rest.is_some()) {
         if best.report.l2_length_error <= enough {
             break;
         }
-        let from = if goes_on { best.positions.clone() } else { positions.to_vec() };
+        let (from, bending) = match goes_on {
+            true => (best.positions.as_slice(), best.report.mean_bending),
+            false => (positions, before.mean_bending),
+        };
         let most_bending = (1.0 + max_bending_growth) * before.mean_bending;
-        let now = if goes_on { best.report.mean_bending } else { before.mean_bending };
-        let max_bending_growth = if now > 0.0 { most_bending / now - 1.0 } else { max_bending_growth };
-        let polish = Polish { stiffness, is_membrane, fade, max_bending_growth, max_steps };
-        let next = polish.apply(state.mesh(), state.metric(), &from, rest.as_deref(), &pinned, watch);
+        let growth = if bending > 0.0 { most_bending / bending - 1.0 } else { max_bending_growth };
+        let polish = Polish { max_bending_growth: growth, ..polish };
+        let next = polish.apply(state.mesh(), state.metric(), from, rest.as_deref(), &pinned, watch);
         let steps = best.report.steps + next.report.steps;
         let is_better = next.report.l2_length_error < best.report.l2_length_error;
         if is_better && is_in_class(state, &next.positions) {
@@ -164,10 +164,7 @@ fn polished(
 
 /// A way that polish may take.
 struct Attempt {
-    stiffness: f64,
-    fade: f64,
-    is_membrane: bool,
-    max_steps: usize,
+    polish: Polish,
     /// Whether it begins with the best surface so far, not with the one that is to be polished.
     goes_on: bool,
     /// L2 length error at which it is not taken any more.
@@ -178,28 +175,21 @@ struct Attempt {
 fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attempt> {
     let state = relaxation.state();
     let usual = Polish::default();
-    let once = |stiffness, max_steps| Attempt {
-        stiffness,
-        fade: usual.fade,
-        is_membrane: false,
-        max_steps,
-        goes_on: false,
-        enough: ACCURATE_POLISH,
-    };
+    let of = |polish| Attempt { polish, goes_on: false, enough: ACCURATE_POLISH };
     let mut all = Vec::new();
     if !has_rest && state.pins().is_empty() && is_convex(state.mesh(), state.metric()) {
-        all.push(Attempt { is_membrane: true, ..once(MEMBRANE_HOLD, usual.max_steps) });
+        all.push(of(Polish { stiffness: MEMBRANE_HOLD, is_membrane: true, ..usual }));
     }
     match reach {
         Reach::Near => {
             let (stiffness, fade) = NEAR_POLISH;
-            all.push(Attempt { fade, ..once(stiffness, STEPS_OF_NEAR_POLISH) });
+            all.push(of(Polish { stiffness, fade, max_steps: STEPS_OF_NEAR_POLISH, ..usual }));
         }
-        Reach::Far | Reach::Alone if has_rest => all.push(once(GENTLE_POLISH, usual.max_steps)),
-        Reach::Far | Reach::Alone if state.betti() == 0 => all.push(once(FIRM_POLISH, usual.max_steps)),
+        Reach::Far | Reach::Alone if has_rest => all.push(of(Polish { stiffness: GENTLE_POLISH, ..usual })),
+        Reach::Far | Reach::Alone if state.betti() == 0 => all.push(of(Polish { stiffness: FIRM_POLISH, ..usual })),
         Reach::Far | Reach::Alone => {
-            all.extend(STIFF_POLISH.map(|(stiffness, fade)| Attempt { fade, ..once(stiffness, usual.max_steps) }));
-            all.push(Attempt { goes_on: true, ..once(REHEATING, usual.max_steps) });
+            all.extend(STIFF_POLISH.map(|(stiffness, fade)| of(Polish { stiffness, fade, ..usual })));
+            all.push(Attempt { goes_on: true, ..of(Polish { stiffness: REHEATING, ..usual }) });
             all.iter_mut().skip(2).for_each(|attempt| attempt.enough = GOOD_FIT);
         }
     }

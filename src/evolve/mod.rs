@@ -24,7 +24,7 @@ pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
 pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use pace::{Pace, PaceError, Settling};
-pub use program::{AskedClass, MAX_BENDING_GROWTH, Orientation, Polishing, Program, Start};
+pub use program::{AskedClass, Orientation, Polishing, Program, Start};
 pub use progress::{Observer, Progress, Unobserved};
 pub use relax::{Cursor, Phase, PhaseError, Schedule, TimeStep};
 pub use report::{BendingError, ComponentReport, FrameReport, NO_CLASS, Places};

@@ -7,6 +7,7 @@ use crate::mesh::Mesh;
 use crate::metric::{Metric, MetricProgram};
 use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
+use crate::tuning::MAX_BENDING_GROWTH;
 use glam::DVec3;
 
 /// What the surface is to be over time, what it starts from, and how it gets there.
@@ -69,9 +70,6 @@ impl Program {
         }
     }
 }
-
-/// By which share polish may make the mean bending angle grow, where nothing else is asked for.
-pub const MAX_BENDING_GROWTH: f64 = 0.2;
 
 /// Which frames of a film are polished.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -369,12 +369,12 @@ impl Simulation {
         };
         let positions = row.place(&mut self.components, self.mesh.vertex_count());
         let which = Which { frame: self.frame.max(1), of: self.clock.frames(), pace: self.pace };
-        let Finished { positions, face_frames, report: polish } = match self.polish.reach(which, &self.components) {
+        let Finished { positions, face_frames, reports } = match self.polish.reach(which, &self.components) {
             Some(reach) => finish(&self.components, positions, reach, self.max_bending_growth, observer)?,
             None => Finished::unpolished(positions),
         };
         let Simulation { mesh, metric, homology, components, .. } = self;
-        let (rims, mut report) = measure(mesh, metric, homology, components, &positions, polish);
+        let (rims, mut report) = measure(mesh, metric, homology, components, &positions, &reports);
         report.frame = self.frame;
         report.time = self.clock.time(self.frame.max(1));
         report.curvature_error = self.curvature_error;

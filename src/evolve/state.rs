@@ -5,7 +5,7 @@ use super::discretization::Discretization;
 use super::error::{EvolveError, SetupError};
 use super::frame::Frame;
 use crate::frames::Shell;
-use crate::immersion::{edge_vectors, frames_of_positions, is_figure_8, l2_length_error, rimless_frames, rims};
+use crate::immersion::{class_of_positions, edge_vectors, frames_of_positions, l2_length_error, rimless_frames, rims};
 use crate::mesh::{Component, EdgeId, Mesh, VertexId};
 use crate::metric::Metric;
 use crate::spin::{ChangeOfMetric, Class, Homology, SpinStructure};
@@ -165,8 +165,7 @@ impl State {
 
     /// The class of the surface at these positions, which has no pinch points.
     pub fn class_at(&self, positions: &[DVec3]) -> Class {
-        let generators = self.homology.generators().iter();
-        Class::new(generators.map(|generator| is_figure_8(self.mesh(), positions, &generator.strip)).collect())
+        class_of_positions(self.mesh(), &self.homology, positions)
     }
 
     /// L2 length error of the surface at these positions.

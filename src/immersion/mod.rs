@@ -19,8 +19,8 @@ pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::edge_vectors;
 pub use measure::{
     ConformalFactor, FieldError, FieldInput, FieldName, FieldValues, Fields, LengthError, bending_angles,
-    enclosed_volume, gaussian_curvatures, is_convex, is_figure_8, l2_length_error, largest_dent, length_error,
-    length_errors, mean_curvatures, mean_turn, pinch_points, rims,
+    class_of_positions, enclosed_volume, gaussian_curvatures, is_convex, is_figure_8, l2_length_error, largest_dent,
+    length_error, length_errors, mean_curvatures, mean_turn, pinch_points, rims,
 };
 pub use periods::Periods;
 pub use pins::{PinError, PinGroup, Pins};

@@ -1,14 +1,14 @@
 //! Newton steps while the shell gets softer.
 
-use super::energy::{Energy, Stiffness};
+use super::energy::{Energy, Stiffness, mean_absolute};
 use super::newton::NewtonSystem;
 use super::report::{Ending, PolishReport, mean_bending};
 use crate::immersion::{RigidMotion, length_error};
 use crate::mesh::{Mesh, VertexId};
 use crate::metric::Metric;
 use crate::tuning::{
-    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE,
-    POLISH_FADE, POLISH_GAIN, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
+    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, GENTLE_POLISH, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN,
+    MAX_BENDING_GROWTH, NEAR_MOVE, POLISH_FADE, POLISH_GAIN, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
 };
 use glam::DVec3;
 use std::ops::ControlFlow;
@@ -32,7 +32,13 @@ pub struct Polish {
 impl Default for Polish {
     /// A shell of 10⁻⁴, one half, a fifth, 120 steps.
     fn default() -> Polish {
-        Polish { stiffness: 1e-4, is_membrane: false, fade: POLISH_FADE, max_bending_growth: 0.2, max_steps: 120 }
+        Polish {
+            stiffness: GENTLE_POLISH,
+            is_membrane: false,
+            fade: POLISH_FADE,
+            max_bending_growth: MAX_BENDING_GROWTH,
+            max_steps: 120,
+        }
     }
 }
 
@@ -126,12 +132,13 @@ struct Step {
 
 impl<'a> Descent<'a> {
     fn new(energy: &'a Energy, system: NewtonSystem, positions: Vec<DVec3>, polish: &'a Polish) -> Descent<'a> {
+        let angles = energy.angles(&positions);
         Descent {
-            angles: energy.angles(&positions),
             stiffness: Stiffness(polish.stiffness),
             steps: 0,
             polish,
-            bending_before: energy.mean_bending(&positions),
+            bending_before: mean_absolute(&angles),
+            angles,
             best_strain: energy.l2_strain(&positions),
             best: positions.clone(),
             energy,
@@ -156,7 +163,7 @@ impl<'a> Descent<'a> {
             };
             since_fade += 1;
             let strain = self.energy.l2_strain(&self.positions);
-            let bending = self.energy.mean_bending(&self.positions);
+            let bending = mean_absolute(&self.angles);
             if strain < self.best_strain && bending <= most_bending {
                 (self.best_strain, self.best) = (strain, self.positions.clone());
             }

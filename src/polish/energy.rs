@@ -55,12 +55,6 @@ impl Energy {
         self.hinges.par_iter().with_min_len(TASK).map(|hinge| hinge.angle(positions)).collect()
     }
 
-    /// The mean absolute bending angle in radians; 0 where there are no hinges.
-    pub fn mean_bending(&self, positions: &[DVec3]) -> f64 {
-        let angles = self.angles(positions);
-        inner_product(&angles, &angles, |a, _| a.abs()) / angles.len().max(1) as f64
-    }
-
     /// Root mean square of [`Energy::strains`].
     pub fn l2_strain(&self, positions: &[DVec3]) -> f64 {
         let strains = self.strains(positions);
@@ -93,6 +87,11 @@ impl Energy {
             now >= least * asked || now >= 0.5 * area(before, face)
         })
     }
+}
+
+/// The mean absolute value of angles; 0 where there are none.
+pub(super) fn mean_absolute(angles: &[f64]) -> f64 {
+    inner_product(angles, angles, |a, _| a.abs()) / angles.len().max(1) as f64
 }
 
 /// Elements that are worth a task of their own.

@@ -37,19 +37,15 @@ pub(super) fn hinges(mesh: &Mesh, metric: &Metric) -> Vec<Hinge> {
 impl Hinge {
     /// The bending angle alone, in radians.
     pub fn angle(&self, positions: &[DVec3]) -> f64 {
-        let [a, b, c, d] = self.corners.map(|v| positions[v]);
-        let along = b - a;
-        let (n, m) = (along.cross(c - a), (d - a).cross(along));
-        libm::atan2(n.cross(m).dot(along) / along.length(), n.dot(m))
+        let (along, n, m) = self.normals(positions);
+        angle_between(along, n, m)
     }
 
     /// The bending angle and its gradient.
     pub fn bend(&self, positions: &[DVec3]) -> Bend {
-        let [a, b, c, d] = self.corners.map(|v| positions[v]);
-        let along = b - a;
-        let length = along.length();
-        let (n, m) = (along.cross(c - a), (d - a).cross(along));
-        let angle = libm::atan2(n.cross(m).dot(along) / length, n.dot(m));
+        let (along, n, m) = self.normals(positions);
+        let (angle, length) = (angle_between(along, n, m), along.length());
+        let [a, _, c, d] = self.corners.map(|v| positions[v]);
         // A corner turns its face about the edge; the ends take up what is left, so that nothing turns or moves as a whole.
         let [across, across_twin] = [n, m].map(|normal| normal * (-length / normal.length_squared()));
         let [at, at_twin] = [c, d].map(|corner| (corner - a).dot(along) / (length * length));
@@ -57,4 +53,16 @@ impl Hinge {
         let tip = -(across * at + across_twin * at_twin);
         Bend { angle, gradient: [tail, tip, across, across_twin] }
     }
+
+    /// The edge from its tail to its tip, and normals of the two faces, as long as twice their areas.
+    fn normals(&self, positions: &[DVec3]) -> (DVec3, DVec3, DVec3) {
+        let [a, b, c, d] = self.corners.map(|v| positions[v]);
+        let along = b - a;
+        (along, along.cross(c - a), (d - a).cross(along))
+    }
+}
+
+/// From one normal to the other about an edge.
+fn angle_between(along: DVec3, n: DVec3, m: DVec3) -> f64 {
+    libm::atan2(n.cross(m).dot(along) / along.length(), n.dot(m))
 }

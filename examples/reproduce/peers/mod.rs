@@ -6,12 +6,13 @@ mod rotations;
 
 pub use figures::{figure_9, figure_10, figure_11};
 
-use super::measure::{mean_bending_degrees, report_of, rims_of};
+use super::measure::{report_of, rims_of};
 use super::request::{Outcome, Request, own};
 use super::solve::{Found, Polish, scene, solve};
 use glam::DVec3;
 use immerse::mesh::{Surface, shapes};
 use immerse::metric::{Lengths, MetricProgram, lengths_of_positions};
+use immerse::polish::mean_bending;
 use immerse::spin::{Homology, SpinStructure};
 use immerse::{Mesh, Metric, Program};
 use std::sync::Arc;
@@ -56,7 +57,7 @@ impl Given {
             moments: Vec::new(),
             reports: vec![report_of(&self.mesh, &self.metric, &self.spin, &positions)],
             rims: rims.into_iter().map(|e| self.mesh.edge_vertices(e).map(|v| v.0)).collect(),
-            bending_degrees: mean_bending_degrees(&self.mesh, &positions),
+            bending_degrees: mean_bending(&self.mesh, &positions).to_degrees(),
             mesh: self.mesh.clone(),
             metric: self.metric.clone(),
             positions,

@@ -5,11 +5,11 @@ use super::worst_places::{BendingSums, worst_places};
 use crate::evolve::frame::Frame;
 use crate::evolve::relax::{Cursor, Relaxation};
 use crate::frames::{Stiffness, energy};
-use crate::immersion::{RigidMotion, enclosed_volume, is_figure_8, length_error, pinch_points};
+use crate::immersion::{RigidMotion, class_of_positions, enclosed_volume, length_error, pinch_points};
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::{Metric, largest_strain};
 use crate::polish::{Ending, PolishReport};
-use crate::spin::{Class, Homology};
+use crate::spin::Homology;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -22,15 +22,15 @@ pub(in crate::evolve) fn measure(
     homology: &Homology,
     components: &[Relaxation],
     positions: &[DVec3],
-    polish: Option<PolishReport>,
+    polish: &[PolishReport],
 ) -> (Vec<EdgeId>, FrameReport) {
-    let part = |relaxation| Part::of(relaxation, positions, polish.is_some());
-    let parts: Vec<Part> = components.iter().map(part).collect();
+    let part = |(k, relaxation)| Part::of(relaxation, positions, polish.get(k));
+    let parts: Vec<Part> = components.iter().enumerate().map(part).collect();
     let mut rims: Vec<EdgeId> = parts.iter().flat_map(|part| part.rims.iter().copied()).collect();
     rims.sort_unstable();
     let pinch_points = pinch_points(mesh, positions);
     let error = length_error(mesh, metric, positions);
-    let class = homology.generators().iter().map(|g| is_figure_8(mesh, positions, &g.strip)).collect();
+    let class = || class_of_positions(mesh, homology, positions).to_string();
     let cursors: Vec<Cursor> = components.iter().map(Relaxation::cursor).collect();
     let sum = |value: fn(&Part) -> f64| parts.iter().map(value).sum::<f64>();
     let bending = parts.iter().filter_map(|part| part.bending).reduce(BendingSums::with);
@@ -42,7 +42,7 @@ pub(in crate::evolve) fn measure(
         rims: rims.len(),
         rim_length: rims.iter().map(|&e| metric.length(e)).sum(),
         pinch_points: pinch_points.len(),
-        spin_class: if pinch_points.is_empty() { Class::new(class).to_string() } else { NO_CLASS.into() },
+        spin_class: if pinch_points.is_empty() { class() } else { NO_CLASS.into() },
         asked_class: components.iter().map(|relaxation| relaxation.state().class().to_string()).collect(),
         energy: sum(|part| part.energy),
         stiffness: stiffness_of(components.first()),
@@ -55,7 +55,7 @@ pub(in crate::evolve) fn measure(
         enclosed_volume: enclosed_volume(mesh, positions),
         largest_dent: parts.iter().map(|part| part.dent).reduce(|a, b| Some(a?.max(b?))).flatten(),
         bending_error: bending.map(|sums| sums.error()),
-        polish,
+        polish: whole(polish, components),
         places: worst_places(mesh, metric, positions, &rims, &pinch_points),
         cursor: Cursor::of_all(&cursors),
         converged: components.iter().all(Relaxation::has_converged),
@@ -78,26 +78,26 @@ pub(in crate::evolve) fn compare(mesh: &Mesh, previous: &Frame, frame: &mut Fram
     [report.rims_born, report.rims_died, report.rims_moved] = rim_changes(mesh, &previous.rims, &frame.rims);
 }
 
-/// What polish did to the whole surface, from what it did to its components; it ended as that one did which came least far.
-pub(in crate::evolve) fn whole(reports: &[PolishReport], components: &[Relaxation]) -> PolishReport {
+/// What polish did to the whole surface, from what it did to its components, if it did; it ended as that one did which came
+/// least far.
+fn whole(reports: &[PolishReport], components: &[Relaxation]) -> Option<PolishReport> {
+    if let [] | [_] = reports {
+        return reports.first().copied();
+    }
     let edges = |k: usize| components[k].state().mesh().edge_count() as f64;
     let total: f64 = (0..reports.len()).map(edges).sum();
-    let mean = |value: &dyn Fn(&PolishReport) -> f64| {
+    let mean = |value: fn(&PolishReport) -> f64| {
         reports.iter().enumerate().map(|(k, report)| edges(k) * value(report)).sum::<f64>() / total
     };
-    let most = |value: &dyn Fn(&PolishReport) -> f64| reports.iter().map(value).fold(0.0, f64::max);
-    match reports {
-        [only] => *only,
-        _ => PolishReport {
-            l2_length_error_before: mean(&|report| report.l2_length_error_before.powi(2)).sqrt(),
-            max_length_error_before: most(&|report| report.max_length_error_before),
-            l2_length_error: mean(&|report| report.l2_length_error.powi(2)).sqrt(),
-            mean_bending_before: mean(&|report| report.mean_bending_before),
-            mean_bending: mean(&|report| report.mean_bending),
-            steps: reports.iter().map(|report| report.steps).sum(),
-            ending: reports.iter().map(|report| report.ending).max().unwrap_or(Ending::Unchanged),
-        },
-    }
+    Some(PolishReport {
+        l2_length_error_before: mean(|report| report.l2_length_error_before.powi(2)).sqrt(),
+        max_length_error_before: reports.iter().map(|report| report.max_length_error_before).fold(0.0, f64::max),
+        l2_length_error: mean(|report| report.l2_length_error.powi(2)).sqrt(),
+        mean_bending_before: mean(|report| report.mean_bending_before),
+        mean_bending: mean(|report| report.mean_bending),
+        steps: reports.iter().map(|report| report.steps).sum(),
+        ending: reports.iter().map(|report| report.ending).max()?,
+    })
 }
 
 /// The weights of the last phase.
@@ -123,11 +123,12 @@ struct Part {
 
 impl Part {
     /// `positions` are those of the whole.
-    fn of(relaxation: &Relaxation, positions: &[DVec3], is_polished: bool) -> Part {
+    fn of(relaxation: &Relaxation, positions: &[DVec3], polish: Option<&PolishReport>) -> Part {
         let state = relaxation.state();
         let (component, mesh, metric) = (state.component(), state.mesh(), state.metric());
         let positions = component.vertices.pick(positions);
-        let rims = if is_polished { state.rims_of_surface(&positions) } else { state.rims_at(&positions) };
+        let is_moved = polish.is_some_and(|polish| polish.ending != Ending::Unchanged);
+        let rims = if is_moved { state.rims_of_surface(&positions) } else { state.rims_at(&positions) };
         let pin_distances = state.pins().iter().map(|(v, place)| positions[v.index()].distance(*place));
         let original = relaxation.placement().original();
         let mut report = ComponentReport {

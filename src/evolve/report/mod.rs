@@ -5,4 +5,4 @@ mod measure;
 mod worst_places;
 
 pub use frame_report::{BendingError, ComponentReport, FrameReport, NO_CLASS, Places};
-pub(super) use measure::{compare, measure, whole};
+pub(super) use measure::{compare, measure};

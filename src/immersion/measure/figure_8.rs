@@ -1,7 +1,7 @@
 //! The class of strips of a realized surface: figure-0 or figure-8.
 
 use crate::mesh::{HalfedgeId, Mesh, VertexId};
-use crate::spin::Strip;
+use crate::spin::{Class, Homology, Strip};
 use glam::{DMat3, DQuat, DVec3};
 use rayon::prelude::*;
 
@@ -25,6 +25,11 @@ pub fn is_figure_8(mesh: &Mesh, positions: &[DVec3], strip: &Strip) -> bool {
         product * if step.w < 0.0 { -step } else { step }
     });
     product.w > 0.0
+}
+
+/// The class of a map given by vertex positions: q_f on every generator. Means nothing where it has pinch points.
+pub fn class_of_positions(mesh: &Mesh, homology: &Homology, positions: &[DVec3]) -> Class {
+    Class::new(homology.generators().iter().map(|g| is_figure_8(mesh, positions, &g.strip)).collect())
 }
 
 /// Interior vertices whose star is figure-8 (Sec. 2.2). A map without any is an almost immersion (Def. 2.4).

@@ -16,7 +16,7 @@ pub use convexity::{is_convex, largest_dent};
 pub use curvature::{gaussian_curvatures, mean_curvatures};
 pub use enclosed_volume::enclosed_volume;
 pub use fields::{FieldError, FieldInput, FieldName, FieldValues, Fields};
-pub use figure_8::{is_figure_8, pinch_points};
+pub use figure_8::{class_of_positions, is_figure_8, pinch_points};
 pub use frames::{mean_turn, rims};
 pub use length_error::{LengthError, l2_length_error, length_error, length_errors};
 

@@ -1,7 +1,8 @@
 //! `[clock]`, and numbers that change with time.
 
-use crate::evolve::{MAX_BENDING_GROWTH, Polishing};
+use crate::evolve::Polishing;
 use crate::timeline::{Ease, Extrapolation};
+use crate::tuning::MAX_BENDING_GROWTH;
 
 /// A number that may change with time.
 #[derive(Clone, Debug, PartialEq)]

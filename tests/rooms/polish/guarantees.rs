@@ -6,6 +6,7 @@ use glam::DVec3;
 use immerse::evolve::{Frame, Unobserved};
 use immerse::mesh::{VertexId, shapes};
 use immerse::metric::{Metric, lengths_of_positions};
+use immerse::polish::Ending;
 use std::sync::Arc;
 
 #[test]
@@ -85,4 +86,15 @@ fn threads_do_not_change_a_bit() {
     let one = on(1);
     assert_eq!(one, on(2));
     assert_eq!(one, on(4));
+}
+
+/// What polish leaves alone has the rims that its own frames have, not those that other signs would give it.
+#[test]
+fn a_pinched_surface_is_left_alone_with_its_rims() {
+    let text = "mesh = { shape = 'flat_torus', columns = 16, rows = 14 }\nstart.random = 0\n\
+                clock = { frames = 2, steps_per_frame = 1 }\n[[phase]]\nmin_steps = 1\nmax_steps = 1\n[polish]\nenabled = ";
+    let [plain, polished] = ["false", "true"].map(|enabled| film(&format!("{text}{enabled}"), None)[1].clone());
+    assert!(plain.report.pinch_points > 0, "{:?}", plain.report);
+    assert_eq!(polished.report.polish.expect("asked for").ending, Ending::Unchanged);
+    assert_eq!((&plain.positions, &plain.rims), (&polished.positions, &polished.rims));
 }
