@@ -186,6 +186,43 @@ pub const REHEATING: f64 = 0.1;
 /// L2 length error at which no more than two ways are tried.
 pub const GOOD_FIT: f64 = 4e-4;
 
+/// The weight below which the barrier does not fade then, in units of [`BARRIER_WEIGHT`].
+pub const LEAST_BARRIER: f64 = 1e-6;
+
+/// Rounds of local search on the best one.
+pub const ROUNDS: usize = 12;
+
+/// A round that makes the error better by a smaller share is idle.
+pub const ROUND_GAIN: f64 = 0.02;
+
+/// Idle rounds after which local search ends.
+pub const IDLE_ROUNDS: usize = 3;
+
+/// The weight of bending with which the whole surface goes on after a round.
+pub const ROUND_STIFFNESS: f64 = 1e-9;
+
+/// A patch is tried if the edges of its middle hold this share of all squared strain.
+pub const SHARE_OF_A_TRY: f64 = 1e-3;
+
+/// Rings of vertices around the middle of a patch that move.
+pub const RINGS_OF_A_TRY: usize = 5;
+
+/// Those of them that are disturbed.
+pub const DISTURBED_RINGS: usize = 3;
+
+/// How often a patch is tried in a round. On tori and the bunny one try of twenty finds a better fit, whatever the kind of
+/// disturbance.
+pub const TRIES: usize = 20;
+
+/// Steps of polish in each try.
+pub const STEPS_OF_A_TRY: usize = 30;
+
+/// The largest disturbance, in mean edge lengths, in each direction.
+pub const DISTURBANCE: f64 = 0.6;
+
+/// Weights of bending that a try begins with. Stiffer patches come back to where they were.
+pub const STIFFNESS_OF_A_TRY: (f64, f64) = (2e-6, 2e-3);
+
 /// L2 length error at which no further attempt is made.
 pub const ACCURATE_POLISH: f64 = 1e-8;
 

@@ -10,8 +10,8 @@ use crate::immersion::{RigidMotion, bending_angles, is_convex, pinch_points, rim
 use crate::mesh::VertexId;
 use crate::polish::{Ending, Polish, PolishReport, Polished, Watch};
 use crate::tuning::{
-    ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, GOOD_FIT, MEMBRANE_HOLD, NEAR_POLISH, REHEATING, STEPS_OF_NEAR_POLISH,
-    STIFF_POLISH,
+    ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, GOOD_FIT, LEAST_BARRIER, MEMBRANE_HOLD, NEAR_POLISH, REHEATING,
+    ROUND_STIFFNESS, ROUNDS, STEPS_OF_NEAR_POLISH, STIFF_POLISH,
 };
 use glam::{DQuat, DVec3};
 
@@ -189,8 +189,13 @@ fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attemp
         Reach::Far | Reach::Alone if state.betti() == 0 => all.push(of(Polish { stiffness: FIRM_POLISH, ..usual })),
         Reach::Far | Reach::Alone => {
             all.extend(STIFF_POLISH.map(|(stiffness, fade)| of(Polish { stiffness, fade, ..usual })));
-            all.push(Attempt { goes_on: true, ..of(Polish { stiffness: REHEATING, ..usual }) });
+            let kept_open = Polish { least_barrier: LEAST_BARRIER, ..usual };
+            all.push(Attempt { goes_on: true, ..of(Polish { stiffness: REHEATING, ..kept_open }) });
             all.iter_mut().skip(2).for_each(|attempt| attempt.enough = GOOD_FIT);
+            all.push(Attempt {
+                goes_on: true,
+                ..of(Polish { stiffness: ROUND_STIFFNESS, rounds: ROUNDS, ..kept_open })
+            });
         }
     }
     all

@@ -1,14 +1,16 @@
 //! Newton steps while the shell gets softer.
 
 use super::energy::{Energy, Stiffness, mean_absolute};
+use super::local_search::Patches;
 use super::newton::NewtonSystem;
 use super::report::{Ending, PolishReport, mean_bending};
 use crate::immersion::{RigidMotion, length_error};
 use crate::mesh::{Mesh, VertexId};
 use crate::metric::Metric;
 use crate::tuning::{
-    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, GENTLE_POLISH, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN,
-    MAX_BENDING_GROWTH, NEAR_MOVE, POLISH_FADE, POLISH_GAIN, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
+    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, GENTLE_POLISH, HALVINGS_OF_A_POLISH_STEP, IDLE_ROUNDS, ISOMETRIC,
+    LARGEST_HINGE_TURN, MAX_BENDING_GROWTH, NEAR_MOVE, POLISH_FADE, POLISH_GAIN, ROUND_GAIN, ROUND_STIFFNESS,
+    SOFTEST_POLISH, STEPS_PER_STIFFNESS,
 };
 use glam::DVec3;
 use std::ops::ControlFlow;
@@ -23,21 +25,27 @@ pub struct Polish {
     pub is_membrane: bool,
     /// What the weight of bending is multiplied with after every second step, where steps are not short.
     pub fade: f64,
+    /// The weight below which the barrier does not fade. Hinges that have come to 180° but for rounding hold everything else up.
+    pub least_barrier: f64,
     /// By which share the mean bending angle may grow.
     pub max_bending_growth: f64,
     /// The largest number of Newton steps.
     pub max_steps: usize,
+    /// Rounds in which patches that hold most of the error are disturbed and polished alone, if it ends short of the lengths.
+    pub rounds: usize,
 }
 
 impl Default for Polish {
-    /// A shell of 10⁻⁴, one half, a fifth, 120 steps.
+    /// A shell of 10⁻⁴, one half, a fifth, 120 steps, no rounds.
     fn default() -> Polish {
         Polish {
             stiffness: GENTLE_POLISH,
             is_membrane: false,
             fade: POLISH_FADE,
+            least_barrier: 0.0,
             max_bending_growth: MAX_BENDING_GROWTH,
             max_steps: 120,
+            rounds: 0,
         }
     }
 }
@@ -87,11 +95,23 @@ impl Polish {
         pinned.iter().for_each(|v| is_pinned[v.index()] = true);
         let begin: Vec<DVec3> = positions.iter().map(|p| *p / unit).collect();
         let mut report = PolishReport::unchanged(mesh, metric, positions);
-        let Ok(system) = NewtonSystem::new(&energy, &is_pinned) else {
+        let Ok(mut system) = NewtonSystem::new(&energy, &is_pinned) else {
             return Polished { positions: positions.to_vec(), report };
         };
-        let mut descent = Descent::new(&energy, system, begin, self);
+        let mut descent = Descent::new(&energy, &mut system, begin, self);
         report.ending = descent.run(watch);
+        let patches = Patches::new(&energy, &is_pinned);
+        let mut idle = 0;
+        for round in 0..self.rounds {
+            if report.ending != Ending::BestFit || idle == IDLE_ROUNDS {
+                break;
+            }
+            let before = descent.best_strain;
+            if let Some(next) = patches.round(&descent.best, round, self.least_barrier) {
+                report.ending = descent.go_on_from(next, watch);
+            }
+            idle += usize::from(descent.best_strain > (1.0 - ROUND_GAIN) * before);
+        }
         let mut places: Vec<DVec3> = descent.best.iter().map(|p| *p * unit).collect();
         if pinned.is_empty() {
             let motion = RigidMotion::onto(positions, &places, &metric.vertex_areas(mesh));
@@ -107,19 +127,21 @@ impl Polish {
 }
 
 /// The surface on its way.
-struct Descent<'a> {
+pub(super) struct Descent<'a> {
     energy: &'a Energy,
-    system: NewtonSystem,
+    system: &'a mut NewtonSystem,
     positions: Vec<DVec3>,
     angles: Vec<f64>,
-    stiffness: Stiffness,
+    /// Weight of bending, as it fades.
+    stiffness: f64,
     steps: usize,
     polish: &'a Polish,
     /// Mean bending angle at the beginning, in radians.
     bending_before: f64,
     /// The positions with the least strain that do not bend too much.
-    best: Vec<DVec3>,
-    best_strain: f64,
+    pub best: Vec<DVec3>,
+    /// Their root mean square strain.
+    pub best_strain: f64,
 }
 
 /// What a step did.
@@ -131,10 +153,15 @@ struct Step {
 }
 
 impl<'a> Descent<'a> {
-    fn new(energy: &'a Energy, system: NewtonSystem, positions: Vec<DVec3>, polish: &'a Polish) -> Descent<'a> {
+    pub fn new(
+        energy: &'a Energy,
+        system: &'a mut NewtonSystem,
+        positions: Vec<DVec3>,
+        polish: &'a Polish,
+    ) -> Descent<'a> {
         let angles = energy.angles(&positions);
         Descent {
-            stiffness: Stiffness(polish.stiffness),
+            stiffness: polish.stiffness,
             steps: 0,
             polish,
             bending_before: mean_absolute(&angles),
@@ -148,17 +175,18 @@ impl<'a> Descent<'a> {
     }
 
     /// Takes steps and lets the stiffness fade until the lengths are right or get no better.
-    fn run(&mut self, watch: &mut Watch) -> Ending {
+    pub fn run(&mut self, watch: &mut Watch) -> Ending {
+        let most_steps = self.steps + self.polish.max_steps;
         let most_bending = (1.0 + self.polish.max_bending_growth) * self.bending_before.max(LEAST_BENDING);
         let (mut since_fade, mut strains) = (0, Vec::new());
-        while self.steps < self.polish.max_steps {
+        while self.steps < most_steps {
             self.steps += 1;
             let Some(step) = self.step() else {
                 // What is stiff cannot move on; what is soft has arrived.
-                if self.stiffness.0 < self.best_strain * self.best_strain {
+                if self.stiffness < self.best_strain * self.best_strain {
                     return Ending::BestFit;
                 }
-                (self.stiffness.0, since_fade) = (self.stiffness.0 * self.polish.fade, 0);
+                (self.stiffness, since_fade) = (self.stiffness * self.polish.fade, 0);
                 continue;
             };
             since_fade += 1;
@@ -167,22 +195,27 @@ impl<'a> Descent<'a> {
             if strain < self.best_strain && bending <= most_bending {
                 (self.best_strain, self.best) = (strain, self.positions.clone());
             }
-            let Polish { max_steps, stiffness, .. } = *self.polish;
-            let now = PolishStep { step: self.steps, max_steps, l2_length_error: strain, stiffness: self.stiffness.0 };
+            let stiffness = self.polish.stiffness;
+            let now = PolishStep {
+                step: self.steps,
+                max_steps: most_steps,
+                l2_length_error: strain,
+                stiffness: self.stiffness,
+            };
             if watch(&now).is_break() {
                 return Ending::StepLimit;
             }
             if strain <= ISOMETRIC {
                 return Ending::Isometric;
             }
-            if bending > most_bending && self.stiffness.0 < stiffness {
+            if bending > most_bending && self.stiffness < stiffness {
                 return Ending::BendingLimit;
             }
             strains.push(strain);
             let gains_little = strains.len() > PATIENCE
                 && strain > strains[strains.len() - 1 - PATIENCE] * (1.0 - POLISH_GAIN)
-                && self.stiffness.0 * bending * bending < BENDING_IS_NOTHING * strain * strain;
-            if gains_little || self.stiffness.0 < SOFTEST_POLISH {
+                && self.stiffness * bending * bending < BENDING_IS_NOTHING * strain * strain;
+            if gains_little || self.stiffness < SOFTEST_POLISH {
                 return Ending::BestFit;
             }
             // Where steps are short and whole, the next surface is near, and there is nothing to be careful about.
@@ -192,16 +225,25 @@ impl<'a> Descent<'a> {
                 _ if since_fade >= STEPS_PER_STIFFNESS => self.polish.fade,
                 _ => continue,
             };
-            (self.stiffness.0, since_fade) = (self.stiffness.0 * fade, 0);
+            (self.stiffness, since_fade) = (self.stiffness * fade, 0);
         }
         Ending::StepLimit
+    }
+
+    /// Goes on from other positions, with a shell that is soft already.
+    fn go_on_from(&mut self, positions: Vec<DVec3>, watch: &mut Watch) -> Ending {
+        self.angles = self.energy.angles(&positions);
+        self.positions = positions;
+        self.stiffness = ROUND_STIFFNESS;
+        self.run(watch)
     }
 
     /// One step, shortened until it leads downhill without folding a hinge over or crushing a face; `None` if no part of it
     /// does, or the linear system cannot be solved.
     fn step(&mut self) -> Option<Step> {
-        let before = self.energy.value(&self.positions, &self.angles, self.stiffness);
-        let direction = self.system.direction(self.energy, &self.positions, self.stiffness).ok()?;
+        let weights = Stiffness { bending: self.stiffness, barrier: self.stiffness.max(self.polish.least_barrier) };
+        let before = self.energy.value(&self.positions, &self.angles, weights);
+        let direction = self.system.direction(self.energy, &self.positions, weights).ok()?;
         let mut share = 1.0;
         for _ in 0..=HALVINGS_OF_A_POLISH_STEP {
             let next: Vec<DVec3> = self.positions.iter().zip(&direction.moves).map(|(p, x)| *p + *x * share).collect();
@@ -209,7 +251,7 @@ impl<'a> Descent<'a> {
             // An angle that passes 180° jumps by a full turn.
             let turns = next_angles.iter().zip(&self.angles).all(|(a, b)| (a - b).abs() <= LARGEST_HINGE_TURN);
             if turns && self.energy.keeps_areas(&self.positions, &next, FACE_AREA_LEFT) {
-                let after = self.energy.value(&next, &next_angles, self.stiffness);
+                let after = self.energy.value(&next, &next_angles, weights);
                 if after <= before - ARMIJO * share * direction.slope {
                     let longest = direction.moves.iter().map(|x| x.length()).fold(0.0, f64::max);
                     (self.positions, self.angles) = (next, next_angles);

@@ -20,14 +20,19 @@ pub(super) struct Energy {
     /// Per hinge: the angle at rest, in radians.
     pub rest: Vec<f64>,
     /// Per face: its corners.
-    faces: Vec<[u32; 3]>,
+    pub faces: Vec<[u32; 3]>,
     /// Per face: the area that its lengths ask for.
     areas: Vec<f64>,
 }
 
-/// The weight of bending.
+/// What angles cost.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stiffness(pub f64);
+pub(super) struct Stiffness {
+    /// The weight of bending, κ.
+    pub bending: f64,
+    /// The weight of the barrier.
+    pub barrier: f64,
+}
 
 impl Energy {
     /// `rest` holds the angles at rest in radians, |E|; without any the shell is flat at rest. A membrane has no hinges. `unit`
@@ -41,6 +46,27 @@ impl Energy {
             faces: mesh.triangles(),
             areas: metric.face_areas().iter().map(|area| area / (unit * unit)).collect(),
             hinges,
+        }
+    }
+
+    /// What of it some edges, hinges and faces cost, among vertices that `own` numbers anew.
+    pub fn part(
+        &self,
+        edges: &[usize],
+        hinges: &[usize],
+        faces: &[usize],
+        own: &mut impl FnMut(usize) -> usize,
+    ) -> Energy {
+        Energy {
+            ends: edges.iter().map(|e| self.ends[*e].map(&mut *own)).collect(),
+            lengths: edges.iter().map(|e| self.lengths[*e]).collect(),
+            hinges: hinges
+                .iter()
+                .map(|h| Hinge { corners: self.hinges[*h].corners.map(&mut *own), ..self.hinges[*h] })
+                .collect(),
+            rest: hinges.iter().map(|h| self.rest[*h]).collect(),
+            faces: faces.iter().map(|f| self.faces[*f].map(|v| own(v as usize) as u32)).collect(),
+            areas: faces.iter().map(|f| self.areas[*f]).collect(),
         }
     }
 
@@ -62,17 +88,18 @@ impl Energy {
     }
 
     /// The energy of positions with these bending angles.
-    pub fn value(&self, positions: &[DVec3], angles: &[f64], Stiffness(stiffness): Stiffness) -> f64 {
+    pub fn value(&self, positions: &[DVec3], angles: &[f64], stiffness: Stiffness) -> f64 {
         let strains = self.strains(positions);
         let strain = 0.5 * inner_product(&strains, &strains, |a, b| a * b);
         let hinges = self.hinges.par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
         let costs: Vec<f64> = hinges
             .map(|((hinge, rest), angle)| {
                 let off = angle - rest;
-                hinge.weight * (0.5 * off * off + BARRIER_WEIGHT * barrier(*angle).value)
+                hinge.weight
+                    * (0.5 * stiffness.bending * off * off + stiffness.barrier * BARRIER_WEIGHT * barrier(*angle).value)
             })
             .collect();
-        strain + stiffness * inner_product(&costs, &costs, |cost, _| cost)
+        strain + inner_product(&costs, &costs, |cost, _| cost)
     }
 
     /// Whether every face keeps at least this share of the area that its lengths ask for, or half of what it has now.

@@ -8,12 +8,14 @@
 //! with the strain of all edges, bending angles α away from those at rest, and a barrier b that no hinge passes, at 180° either
 //! way. Newton steps are taken while κ fades: a stiff shell is smooth and stretched, and as it gets softer it follows the
 //! lengths with as little bending as they ask for. Faces cannot collapse and hinges cannot fold over, because steps that come
-//! near to either are shortened. So the surface moves by a regular homotopy, and its class stays.
+//! near to either are shortened. So the surface moves by a regular homotopy, and its class stays. Where this ends short of the
+//! lengths, patches that hold the error may be searched for better fits.
 
 mod barrier;
 mod descent;
 mod energy;
 mod hinge;
+mod local_search;
 mod newton;
 mod report;
 #[cfg(test)]

@@ -80,7 +80,7 @@ impl NewtonSystem {
         self.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
         self.pairs.fill(DMat3::ZERO);
         self.gradient.fill(DVec3::ZERO);
-        self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.0 } else { 0.0 });
+        self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.bending } else { 0.0 });
         self.add_bending(energy, positions, stiffness);
         self.factor.factorize(&self.diagonal, &self.pairs)?;
         let mut x: Vec<DVec3> = self.gradient.iter().map(|g| -*g).collect();
@@ -114,16 +114,16 @@ impl NewtonSystem {
         }
     }
 
-    /// Per hinge: κ w (1 + b″) ∇α ∇αᵀ.
-    fn add_bending(&mut self, energy: &Energy, positions: &[DVec3], Stiffness(stiffness): Stiffness) {
+    /// Per hinge: w (κ + κ_b b″) ∇α ∇αᵀ.
+    fn add_bending(&mut self, energy: &Energy, positions: &[DVec3], stiffness: Stiffness) {
         let bends: Vec<_> = energy.hinges.par_iter().with_min_len(1024).map(|hinge| hinge.bend(positions)).collect();
         for (((hinge, bend), rest), couplings) in
             energy.hinges.iter().zip(&bends).zip(&energy.rest).zip(&self.hinge_pairs)
         {
             let barrier = barrier(bend.angle);
-            let weight = stiffness * hinge.weight;
-            let torque = weight * (bend.angle - rest + BARRIER_WEIGHT * barrier.first);
-            let curvature = weight * (1.0 + BARRIER_WEIGHT * barrier.second);
+            let against_fold = stiffness.barrier * BARRIER_WEIGHT;
+            let torque = hinge.weight * (stiffness.bending * (bend.angle - rest) + against_fold * barrier.first);
+            let curvature = hinge.weight * (stiffness.bending + against_fold * barrier.second);
             for (v, gradient) in hinge.corners.iter().zip(bend.gradient) {
                 if let Some(row) = self.unknowns[*v] {
                     self.diagonal[row] += outer(gradient, gradient) * curvature;
