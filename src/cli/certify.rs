@@ -62,14 +62,17 @@ fn write_verdict(certificate: &Certificate, out: &mut impl Write) -> io::Result<
         return writeln!(out, "regular homotopy: no hinge folds and no face vanishes at any time");
     }
     if *pinch_points > 0 {
-        writeln!(out, "the first frame has {pinch_points} pinch points, where it is no immersion")?;
+        let points = if *pinch_points == 1 { "point" } else { "points" };
+        writeln!(out, "the first frame has {pinch_points} pinch {points}, where it is no immersion")?;
     }
     if events.is_empty() {
         return writeln!(out, "otherwise nothing happens: no hinge folds and no face vanishes at any time");
     }
     let mut busy: Vec<usize> = events.iter().map(|event| event.frames[0]).collect();
     busy.dedup();
-    writeln!(out, "not a regular homotopy: {} events in {} intervals", events.len(), busy.len())?;
+    let plural = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
+    let [found, among] = [plural(events.len(), "event"), plural(busy.len(), "interval")];
+    writeln!(out, "not a regular homotopy: {found} in {among}")?;
     writeln!(out, "{}", in_words(&certificate.counts))?;
     writeln!(out)?;
     write_rims(certificate, out)

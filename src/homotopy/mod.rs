@@ -28,6 +28,8 @@ mod polynomial;
 mod rims;
 mod search;
 mod settled;
+#[cfg(test)]
+mod tests;
 
 pub use events::{Element, Event, events_between};
 pub use film::{FilmEvent, Homotopy};

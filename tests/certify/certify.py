@@ -3,11 +3,11 @@
     python3 tests/certify/certify.py DIR
 
 DIR is the folder of a film, or one of OBJ files with the same triangles, in the order of their names. Vertices move on straight
-lines from frame to frame. What floating point numbers with a bound of their errors do not settle is decided in fractions, by Sturm's
+lines from frame to frame. What floating point numbers with a bound of their errors do not settle is decided in integers and fractions, by Sturm's
 sequences. Prints one JSON object with all events; if DIR has a certificate.json, it also says whether that is of the same numbers.
 Frames and times are as there, vertices count as in the mesh file, from 0.
 """
-import hashlib, json, pathlib, sys
+import hashlib, json, math, pathlib, sys
 from fractions import Fraction
 import numpy
 
@@ -65,28 +65,39 @@ def may_happen(elements, start, end):
         safe |= (pairs[0][0] > pairs[0][1]).all(0) | (pairs[0][0] < -pairs[0][1]).all(0)
     return elements[~safe]
 
-# In fractions.
+# In integers. Polynomials count up to a positive factor, times are fractions.
 def trim(f):
     while f and f[-1] == 0:
         f = f[:-1]
-    return f
+    factor = math.gcd(*f)
+    return [x // factor for x in f]
 
-def divide(f, g):
-    quotient, f = [Fraction(0)] * max(len(f) - len(g) + 1, 0), list(f)
-    for k in reversed(range(len(quotient))):
-        quotient[k] = f[k + len(g) - 1] / g[-1]
-        for j, y in enumerate(g):
-            f[k + j] -= quotient[k] * y
-    return quotient, trim(f[: len(g) - 1])
+def remainder(f, g):
+    while len(f) >= len(g):
+        scale, leading = abs(g[-1]), f[-1] if g[-1] > 0 else -f[-1]
+        below = len(f) - len(g)
+        f = [x * scale - (leading * g[k - below] if k >= below else 0) for k, x in enumerate(f)][:-1]
+    return trim(f)
+
+def without(f, t):
+    """Divides by the factor with the root t."""
+    quotient = [Fraction(f[-1])]
+    for x in f[-2:0:-1]:
+        quotient.append(x + t * quotient[-1])
+    quotient.reverse()
+    scale = math.lcm(*(x.denominator for x in quotient))
+    return trim([int(x * scale) for x in quotient])
 
 def at(f, t):
-    return sum(x * t**k for k, x in enumerate(f))
+    """The value at t, times a positive number."""
+    n = len(f) - 1
+    return sum(x * t.numerator**k * t.denominator ** (n - k) for k, x in enumerate(f))
 
 def query(f, g, a, b):
     """The sum of the signs of g over the different roots of f between a and b, which are none (Tarski)."""
-    sequence = [f, trim(times([k * x for k, x in enumerate(f)][1:] or [Fraction(0)], g))]
+    sequence = [f, trim(times([k * x for k, x in enumerate(f)][1:] or [0], g))]
     while sequence[-1]:
-        sequence.append([-x for x in divide(sequence[-2], sequence[-1])[1]])
+        sequence.append([-x for x in remainder(sequence[-2], sequence[-1])])
     changes = []
     for t in (a, b):
         signs = [value > 0 for value in (at(h, t) for h in sequence) if value != 0]
@@ -97,8 +108,14 @@ def roots(f, gate, a, b):
     """Brackets of the roots of f between a and b at which gate is negative."""
     for end in (a, b):
         while at(f, end) == 0:
-            f = divide(f, [-end, Fraction(1)])[0]
+            f = without(f, end)
     count = (query(f, times(gate, gate), a, b) - query(f, gate, a, b)) // 2
+    if count == 1 and query(f, [1], a, b) == 1 and at(f, a) * at(f, b) < 0:
+        while b - a >= 1e-4:  # The only root of all: signs tell on which side it is.
+            m = (a + b) / 2
+            if at(f, m) == 0:
+                return [(m, m)]
+            a, b = (m, b) if (at(f, m) < 0) == (at(f, a) < 0) else (a, m)
     if count == 0 or (count == 1 and b - a < 1e-4):
         return [(a, b)] * count
     m = (a + b) / 2
@@ -109,8 +126,10 @@ def here(f, gate, t):
 
 def happens(places, is_first):
     """When a hinge folds or a face vanishes: brackets, and whether that lasts."""
-    zero, one, always = Fraction(0), Fraction(1), [Fraction(-1)]
-    exact = [[[Fraction(x), Fraction(y) - Fraction(x)] for x, y in zip(*corner)] for corner in places]
+    zero, one, always = Fraction(0), Fraction(1), [-1]
+    scale = math.lcm(*(Fraction(x).denominator for corner in places for place in corner for x in place))
+    whole = lambda x: int(Fraction(x) * scale)
+    exact = [[[whole(x), whole(y) - whole(x)] for x, y in zip(*corner)] for corner in places]
     if len(places) == 4:
         f, gate = (trim(g) for g in forms(exact))
         if not f:  # It stays in a plane: is the gate negative anywhere?
@@ -122,7 +141,7 @@ def happens(places, is_first):
         f, gate = [], always
         for g in map(trim, forms(exact)):
             while g:
-                f, g = g, divide(f, g)[1]
+                f, g = g, remainder(f, g)
         if not f:
             return [(zero, one)], True
     return (here(f, gate, zero) if is_first else []) + roots(f, gate, zero, one) + here(f, gate, one), False

@@ -13,7 +13,7 @@ use crate::mesh::{EdgeId, Mesh, VertexId, Weld, read_positions, read_welded};
 
 /// Where frames come from.
 pub(super) enum Surfaces {
-    Film { film: FilmFolder, mesh: Arc<Mesh>, file_vertices: Vec<u32> },
+    Film { film: Box<FilmFolder>, mesh: Arc<Mesh>, file_vertices: Vec<u32> },
     Files { folder: PathBuf, names: Vec<String>, mesh: Arc<Mesh> },
 }
 
@@ -42,7 +42,7 @@ impl Surfaces {
 
     pub fn of_film(film: FilmFolder) -> Result<Surfaces, FilmError> {
         let (mesh, file_vertices) = (film.mesh()?.mesh, film.file_vertices()?);
-        Ok(Surfaces::Film { film, mesh, file_vertices })
+        Ok(Surfaces::Film { film: Box::new(film), mesh, file_vertices })
     }
 
     fn of_files(folder: &Path) -> Result<(Surfaces, Vec<String>), FilmError> {

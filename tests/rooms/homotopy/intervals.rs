@@ -27,17 +27,9 @@ fn a_hinge_that_folds_over_is_found_and_one_that_only_flattens_is_not() {
 #[test]
 fn what_folds_and_opens_again_is_found() {
     let mesh = hinge();
-    // The volume is z times the depth of the first face: −1/4 + 4 (t − 1/2)² takes both factors to move.
-    let from = points(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.0, 0.0], [0.5, 1.0, 0.5]]);
-    let to = points(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.0, 1.5], [0.5, 2.0, 1.0]]);
-    // v = y₁ z₂ − z₁ y₂ = (0.5 + 0.5 t) − 1.5 t (1 + t) = 0.5 − t − 1.5 t², once.
-    assert_eq!(found(&mesh, &from, &to).len(), 1);
-    // v = (1 + t)(1/2 − t/2)... a touch: the second face catches up with the first and falls behind again.
-    let touch = |y: f64, z: f64| points(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 1.0, y], [0.5, 1.0, z]]);
-    assert_eq!(found(&mesh, &touch(0.0, 0.5), &touch(1.0, 1.5)), []);
     let moves = |c: [f64; 2], d: [f64; 2]| points(&[[0.0; 3], [1.0, 0.0, 0.0], [0.5, c[0], c[1]], [0.5, d[0], d[1]]]);
-    // c = (1, t), d = (2 − t, 1/4 + t·…): v = (1/4 + h t) − t (2 − t) = t² − (2 − h) t + 1/4 has roots apart by √((2 − h)² − 1).
-    for (h, count, sides) in [(0.5, 2, Some([Greater, Less])), (1.0, 1, Some([Greater, Greater])), (1.5, 0, None)] {
+    // Seen along the edge, c = (1, t) and d = (2 − t, 1/4 + h t): v = c × d = t² − (2 − h) t + 1/4, with roots 1 − h/2 ± √((2 − h)² − 1) / 2.
+    for (h, count, sides) in [(0.875, 2, Some([Greater, Less])), (1.0, 1, Some([Greater, Greater])), (1.5, 0, None)] {
         let events = found(&mesh, &moves([1.0, 0.0], [2.0, 0.25]), &moves([1.0, 1.0], [1.0, 0.25 + h]));
         assert_eq!(events.len(), count, "{h}: {events:?}");
         let signs = |event: &Event| [event.sides[0], event.sides[1]];
@@ -111,7 +103,7 @@ fn positions_of_another_mesh_or_out_of_reach_are_refused() {
     assert_eq!(film.frame_count(), 0);
 }
 
-/// Rigid motions fold nothing on straight lines, unless they turn by 180°, and then everything at once; a mirror image does that, too.
+/// Rigid motions fold nothing on straight lines, unless they turn by 180°. A mirror image does, along the contours of the torus.
 #[test]
 fn rigid_motions_are_harmless() {
     let surface = shapes::torus(1.0, 0.4, 18, 10).expect("a torus");
@@ -125,8 +117,8 @@ fn rigid_motions_are_harmless() {
     assert_eq!(found(mesh, from, &turned(179.0)), []);
     let mirrored: Vec<DVec3> = from.iter().map(|p| DVec3::new(p.x, p.y, -p.z)).collect();
     let events = found(mesh, from, &mirrored);
-    assert!(events.len() > mesh.face_count() / 2, "{}", events.len());
-    assert!(events.iter().all(|event| event.time[0] <= 0.5 && 0.5 <= event.time[1]), "all of it is flat at a half");
+    assert_eq!(events.len(), 2 * 18);
+    assert!(events.iter().all(|event| event.time == [0.5; 2]), "all of it is flat at a half");
 }
 
 /// The volume and the product of normals of a hinge at a time, in floating point numbers.
@@ -169,7 +161,7 @@ fn random_hinges_fold_where_samples_say_so() {
 /// The same events in the same order on any number of threads.
 #[test]
 fn threads_do_not_matter() {
-    let surface = shapes::torus(1.0, 0.4, 120, 80).expect("a torus");
+    let surface = shapes::torus(1.0, 0.4, 60, 40).expect("a torus");
     let (mesh, from) = (&surface.mesh, surface.positions.as_deref().expect("positions"));
     let mut random = Random::new(3);
     let to: Vec<DVec3> = from.iter().map(|p| *p + random.vector() * 0.05).collect();
