@@ -164,7 +164,7 @@ fn threads_do_not_matter() {
     let surface = shapes::torus(1.0, 0.4, 60, 40).expect("a torus");
     let (mesh, from) = (&surface.mesh, surface.positions.as_deref().expect("positions"));
     let mut random = Random::new(3);
-    let to: Vec<DVec3> = from.iter().map(|p| *p + random.vector() * 0.05).collect();
+    let to: Vec<DVec3> = from.iter().map(|p| *p + random.vector() * 0.1).collect();
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
         pool.install(|| events_between(mesh, from, &to))
