@@ -19,6 +19,8 @@ pub mod frames;
 pub mod immersion;
 pub mod polish;
 
+pub mod homotopy;
+
 pub mod evolve;
 pub mod render;
 

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use clap::{CommandFactory, Parser};
 
 use super::arguments::{Arguments, Command, Film, PictureOptions, SceneFile};
+use super::certify::{certify, certify_as_asked};
 use super::check;
 use super::diagnostics::one_line;
 use super::export::{self, Request, export};
@@ -110,6 +111,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
                 pipeline::simulate(&scene, &folder, Making { restart: *restart, preview: *preview }, session)?;
             session.log.finish();
             clear_leftovers(&folder, None, false, &session.log)?;
+            certify_as_asked(&scene, &folder, session)?;
             let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
             write_curves_of_film(&folder, &inspection)?;
             writeln!(out, "{}", sentence("frames computed", summary, &folder))?;
@@ -142,6 +144,7 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)
         }
         Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, session, out),
+        Command::Certify { folder, json } => certify(folder, *json, session, out),
         Command::Export { folder, format, frames, to, restart } => {
             let request = Request { folder, formats: format, to: to.as_deref(), restart: *restart };
             export(&request, frames.as_ref(), session, out)
@@ -190,6 +193,7 @@ fn run(
     let restart = making.restart;
     session.log.finish();
     clear_leftovers(&folder, Some(&scene.output), scene.output.report, &session.log)?;
+    certify_as_asked(&scene, &folder, session)?;
     let inspection = Inspection::of(&folder).map_err(PipelineError::from)?;
     let reported = match scene.output.report {
         true => Some(write_report(&folder, &inspection, restart, session)?),

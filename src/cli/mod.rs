@@ -5,6 +5,7 @@
 //! folder, 128 and the number of the signal that ended the program.
 
 mod arguments;
+mod certify;
 mod check;
 mod commands;
 mod diagnostics;
@@ -30,4 +31,4 @@ pub use arguments::{FrameRange, FrameRangeError};
 pub use commands::main;
 pub use failure::PipelineError;
 pub use pipeline::Summary;
-pub use results::{Check, checks_of, curves_csv, curves_svg, step_limit_line, verdict};
+pub use results::{Check, check_of_homotopy, checks_of, curves_csv, curves_svg, step_limit_line, verdict};

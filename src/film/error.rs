@@ -3,6 +3,7 @@ use std::path::PathBuf;
 use crate::{
     advice::Advice,
     film::disk::DiskError,
+    mesh::{MeshError, SurfaceError},
     render::RenderError,
     scene::{SceneError, SceneErrors},
 };
@@ -27,6 +28,25 @@ pub enum FilmError {
         /// The frame.
         frame: usize,
     },
+    /// There is neither a film nor a sequence of surfaces.
+    #[error("{}: there is no film here, and {}; {}", folder.display(), obj_files(*files), self.remedy())]
+    NothingToCertify {
+        /// The folder.
+        folder: PathBuf,
+        /// OBJ files in it.
+        files: usize,
+    },
+    /// A surface cannot be read, or is of another mesh.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Positions that nothing can be said of.
+    #[error("{}: {source}", path.display())]
+    Positions {
+        /// Their file.
+        path: PathBuf,
+        /// Why.
+        source: SurfaceError,
+    },
     /// A field of a frame cannot be computed.
     #[error("a frame has no such field to show ({reason}); {}", self.remedy())]
     Field {
@@ -50,6 +70,13 @@ impl Advice for FilmError {
             FilmError::Disk(error) => error.remedy(),
             FilmError::Render(error) => error.remedy(),
             FilmError::NoSuchFrame { .. } => "run `immerse simulate` first".into(),
+            FilmError::NothingToCertify { .. } => {
+                "name the folder of a film, which holds manifest.json, or one with two or more \
+                                                   OBJ files that have the same faces, in the order of their names"
+                    .into()
+            }
+            FilmError::Mesh(error) => error.remedy(),
+            FilmError::Positions { source, .. } => source.remedy(),
             FilmError::Field { .. } => "simulate the film anew, or show another".into(),
             FilmError::Stopped => "run it again".into(),
             FilmError::WithoutMp4 => {
@@ -71,7 +98,12 @@ impl FilmError {
     /// Whether another input would help, rather than another machine or another try.
     pub fn is_fault_of_input(&self) -> bool {
         match self {
-            FilmError::Scene(_) | FilmError::NoSuchFrame { .. } | FilmError::WithoutMp4 => true,
+            FilmError::Scene(_)
+            | FilmError::NoSuchFrame { .. }
+            | FilmError::NothingToCertify { .. }
+            | FilmError::Mesh(_)
+            | FilmError::Positions { .. }
+            | FilmError::WithoutMp4 => true,
             FilmError::Field { .. } | FilmError::Stopped => false,
             FilmError::Disk(error) => error.is_fault_of_input(),
             FilmError::Render(error) => !matches!(error, RenderError::Write { .. }),
@@ -92,4 +124,9 @@ impl FilmError {
     pub(super) fn write(path: &std::path::Path, reason: impl std::fmt::Display) -> FilmError {
         FilmError::Render(RenderError::Write { path: path.to_owned(), reason: reason.to_string() })
     }
+}
+
+/// How many there are, in words.
+fn obj_files(count: usize) -> &'static str {
+    if count == 0 { "no OBJ file" } else { "only one OBJ file" }
 }

@@ -7,6 +7,7 @@ use std::{
 };
 
 use super::animation::file_name;
+use super::certificate::{CERTIFICATE, is_stale};
 use super::disk::FilmFolder;
 use super::error::FilmError;
 use super::ledger::{Ledger, PAGE, remove};
@@ -47,6 +48,7 @@ pub fn clear_leftovers(
         let shows = known.entry(&name).map(|entry| entry.shows);
         let is_stale = match made {
             Made::Curves => has_curves,
+            Made::Certificate => is_stale(&film),
             // A frame that is not done shows nothing.
             Made::Frame(number, _) => shows.is_none() || film.state(number)? != shows,
             Made::Report if page_follows => false,
@@ -118,6 +120,7 @@ enum Made {
     Sheet,
     Report,
     Curves,
+    Certificate,
 }
 
 impl Made {
@@ -128,6 +131,7 @@ impl Made {
             (_, "png" | "exr") if is_number => Some(Made::Frame(stem.parse().ok()?, ending == "png")),
             _ if name == SHEET => Some(Made::Sheet),
             _ if name == REPORT => Some(Made::Report),
+            _ if name == CERTIFICATE => Some(Made::Certificate),
             ("curves", "csv" | "svg") => Some(Made::Curves),
             _ => {
                 let formats = [AnimationFormat::Gif, AnimationFormat::Apng, AnimationFormat::Mp4];
@@ -143,7 +147,7 @@ impl Made {
             Made::Film(format) => output.animation.contains(&format),
             Made::Sheet => output.sheet > 0,
             Made::Report => output.report,
-            Made::Curves => true,
+            Made::Curves | Made::Certificate => true,
         }
     }
 }

@@ -2,10 +2,11 @@
 //!
 //! `disk` keeps the surface, the frames and their reports in a folder. `pictures` makes stills, sheets and posters of them, and
 //! `animation` puts pictures together to moving ones, and `export` writes
-//! frames as other programs read them. `report` makes a page of a film that is turned with the mouse. `ledger` remembers what each picture was made of, so that it is made
+//! frames as other programs read them. `certificate` proves that nothing folds between frames, or says what does. `report` makes a page of a film that is turned with the mouse. `ledger` remembers what each picture was made of, so that it is made
 //! again only when that changes. `leftovers` looks for what other films have left in the folder.
 
 mod animation;
+mod certificate;
 mod disk;
 mod error;
 mod export;
@@ -16,6 +17,10 @@ mod metric_of_frame;
 mod pictures;
 mod report;
 
+pub use certificate::{
+    CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedRim, EventKind, certificate_of,
+    certify, write_certificate,
+};
 pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;
 pub use export::{EXPORTER, Exported, export};

@@ -10,6 +10,7 @@
 )]
 
 mod bad_input;
+mod certify;
 mod classes;
 mod command_line;
 mod cookbook;

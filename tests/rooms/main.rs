@@ -14,6 +14,7 @@ mod architecture;
 mod evolve;
 mod film;
 mod frames;
+mod homotopy;
 mod immersion;
 mod mesh;
 mod metric;

@@ -144,6 +144,15 @@ pub(super) enum Command {
         #[arg(long)]
         curves: bool,
     },
+    /// Prove that a film is a regular homotopy, or list what folds and vanishes between its frames, into DIR/certificate.json
+    Certify {
+        /// The folder of the film, or one of OBJ files with the same faces, in the order of their names
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+        /// Print the certificate instead of a table
+        #[arg(long)]
+        json: bool,
+    },
     /// Write a computed film as other programs read it
     Export {
         /// The folder of the film
@@ -205,6 +214,7 @@ impl Command {
                 | Command::Gallery { .. }
                 | Command::Sweep { .. }
                 | Command::Farm { .. }
+                | Command::Certify { .. }
                 | Command::Export { .. }
                 | Command::Report { .. }
         )

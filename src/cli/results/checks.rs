@@ -4,6 +4,7 @@ use serde::Serialize;
 use serde_json::Value as Json;
 
 use crate::evolve::FrameReport;
+use crate::film::{Certificate, EventKind, FilmError};
 use crate::scene::ChecksSection;
 
 /// One entry of `[checks]`, compared with the film.
@@ -77,6 +78,39 @@ fn check<T: Clone + Into<Json>>(
     let limit = limit?;
     let holds = value.as_ref().is_some_and(|value| holds(value, &limit));
     Some(Check { name, limit: limit.into(), value: value.map_or(Json::Null, Into::into), holds, reason: None })
+}
+
+/// Compares what a scene asks for with what happens between its frames: a certificate, or why there is none.
+pub fn check_of_homotopy(checks: &ChecksSection, found: &Result<Certificate, FilmError>) -> Option<Check> {
+    let asked = checks.film.regular_homotopy.filter(|asked| *asked)?;
+    let name = "film.regular_homotopy";
+    let check = |value: Json, holds, reason| Check { name, limit: asked.into(), value, holds, reason };
+    Some(match found {
+        Ok(certificate) => {
+            let holds = certificate.is_regular_homotopy;
+            check(holds.into(), holds, (!holds).then(|| why_no_homotopy(certificate)))
+        }
+        Err(error) => check(Json::Null, false, Some(error.to_string())),
+    })
+}
+
+fn why_no_homotopy(certificate: &Certificate) -> String {
+    let remedy = "`immerse certify` lists all; make the film of more frames, or of a finer mesh there";
+    match (certificate.events.first(), certificate.pinch_points) {
+        (Some(first), _) => {
+            let what = match first.kind {
+                EventKind::Fold => "the hinge",
+                EventKind::Face => "the face",
+            };
+            let ([from, to], count) = (first.frames, certificate.events.len());
+            let events = if count == 1 { "event" } else { "events" };
+            let vertices = &first.vertices;
+            format!(
+                "{count} {events}, the first at {what} with vertices {vertices:?} between frames {from} and {to}; {remedy}"
+            )
+        }
+        (None, pinched) => format!("the first frame has {pinched} pinch points, where it is no immersion"),
+    }
 }
 
 /// The class of the first frame that has another one than asked for, or of the last.

@@ -6,10 +6,10 @@ use std::path::Path;
 use serde::Serialize;
 use serde_json::Value as Json;
 
-use super::checks::{Check, checks_of};
+use super::checks::{Check, check_of_homotopy, checks_of};
 use super::text_table::{percent, short, write_table};
 use crate::evolve::FrameReport;
-use crate::film::{DiskError, FilmFolder, MeshCounts};
+use crate::film::{Arrivals, DiskError, FilmFolder, MeshCounts, certificate_of};
 use crate::polish::{Ending, PolishReport};
 use crate::scene::ChecksSection;
 
@@ -42,7 +42,11 @@ impl Inspection {
             }
         }
         let manifest = film.manifest();
-        let checks = checks_of(&manifest.checks, &frames);
+        let mut checks = checks_of(&manifest.checks, &frames);
+        if manifest.checks.film.regular_homotopy == Some(true) {
+            let certificate = certificate_of(&film, &Arrivals::over(), &mut |_| ());
+            checks.extend(check_of_homotopy(&manifest.checks, &certificate));
+        }
         let (mesh, frame_count, asked) = (manifest.mesh, manifest.frame_count, manifest.checks.clone());
         Ok(Inspection { mesh, frames, checks, frame_count, asked, damaged })
     }

@@ -8,7 +8,7 @@ mod text_table;
 mod verdict;
 
 pub(super) use checks::ranges;
-pub use checks::{Check, checks_of, step_limit_line};
+pub use checks::{Check, check_of_homotopy, checks_of, step_limit_line};
 pub(super) use curves::write_curves;
 pub use curves::{curves_csv, curves_svg};
 pub(super) use findings::findings;

@@ -43,4 +43,6 @@ pub struct FilmChecksSection {
     /// Of the largest move of a vertex from any frame to the next, in units of the median over the film of each
     /// frame's largest move.
     pub max_jump: Option<f64>,
+    /// Whether it must be a regular homotopy from each frame to the next.
+    pub regular_homotopy: Option<bool>,
 }

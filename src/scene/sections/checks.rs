@@ -73,5 +73,11 @@ fn film_checks(table: &mut Table) -> FilmChecksSection {
             )
             .above(0.0)
             .optional(10.0),
+        regular_homotopy: table
+            .key(
+                "regular_homotopy",
+                "Whether the film must be a regular homotopy: no hinge folds and no face vanishes, on a frame or between two, as `immerse certify` decides.",
+            )
+            .optional(true),
     }
 }
