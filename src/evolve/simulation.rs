@@ -6,6 +6,7 @@ use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::finish::{Finished, Which, finish};
 use super::frame::{Frame, check_face_frames};
+use super::over_a_pass::film_of;
 use super::pace::Pace;
 use super::places::Row;
 use super::program::{Polishing, Program};
@@ -17,6 +18,7 @@ use crate::digest::Key;
 use crate::immersion::spin_of_immersion;
 use crate::mesh::{Component, Mesh, Surface, VertexId, first_out_of_reach};
 use crate::metric::{Metric, MetricPart, MetricProgram, NoMetric};
+use crate::polish::Pass;
 use crate::spin::{Class, Homology, SpinError, SpinStructure};
 use crate::timeline::Clock;
 use glam::{DQuat, DVec3};
@@ -45,6 +47,8 @@ pub struct Simulation {
     course: Course,
     clock: Clock,
     pace: Pace,
+    /// The way over a pass with all its frames once they are known, for [`Pace::BothWays`].
+    pass: Option<(Pass, Vec<Vec<DVec3>>)>,
     polish: Polishing,
     max_bending_growth: f64,
     /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
@@ -76,6 +80,10 @@ impl Simulation {
         if let Some((index, place)) = start.positions().and_then(first_out_of_reach) {
             return Err(SetupError::StartPlace { vertex: mesh.file_vertex(VertexId::new(index)), place });
         }
+        let pass = match pace {
+            Pace::BothWays(over) => Some((over.on(&mesh, mesh_positions.as_deref())?, Vec::new())),
+            _ => None,
+        };
         let mesh = Arc::new(mesh);
         let time = clock.time(1);
         let course = Course::new(mesh.clone(), metric, bending, pins, time)?;
@@ -107,6 +115,7 @@ impl Simulation {
             course,
             clock,
             pace,
+            pass,
             polish,
             max_bending_growth,
             origin,
@@ -131,7 +140,8 @@ impl Simulation {
         if let Pace::EachClass = pace {
             self.begin_class(made, time)?;
         }
-        let Simulation { components, course, .. } = self;
+        self.find_pass(time, observer)?;
+        let Simulation { components, course, pass, .. } = self;
         for relaxation in components {
             relaxation.begin_frame(made + 1);
             match (pace, made) {
@@ -144,6 +154,11 @@ impl Simulation {
                     }
                 }
                 (Pace::Settle(settling), _) => relaxation.follow(course, time, &settling, observer)?,
+                (Pace::BothWays(_), _) => {
+                    if let Some(places) = pass.iter().find_map(|(_, frames)| frames.get(made)) {
+                        relaxation.state_mut().set_positions(places);
+                    }
+                }
                 // The first frame of a film of the relaxation is where it starts.
                 (Pace::Steps(_), 0) => {}
                 (Pace::Steps(steps), _) => {
@@ -200,7 +215,7 @@ impl Simulation {
         let metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(no_metric)?);
         let classes = match self.pace {
             Pace::EachClass => self.split(&Class::of_number(frame - 1, self.homology.betti())),
-            Pace::Steps(_) | Pace::Settle(_) => {
+            Pace::Steps(_) | Pace::Settle(_) | Pace::BothWays(_) => {
                 self.components.iter().map(|relaxation| relaxation.state().class().clone()).collect()
             }
         };
@@ -338,6 +353,17 @@ impl Simulation {
         Ok(())
     }
 
+    /// Finds all frames of a film over a pass, which belong together, if they are not known yet. A film that is resumed finds them
+    /// again, to the same bits.
+    fn find_pass(&mut self, time: f64, observer: &mut dyn Observer) -> Result<(), EvolveError> {
+        if let Some((pass, frames)) = &mut self.pass
+            && frames.is_empty()
+        {
+            *frames = film_of(pass, &self.mesh, &self.metric, (self.clock.frames(), time), observer)?;
+        }
+        Ok(())
+    }
+
     /// What a class of the whole surface is on each component. Generators come component by component.
     fn split(&self, class: &Class) -> Vec<Class> {
         let mut rest = class.digits();
@@ -367,7 +393,10 @@ impl Simulation {
             is_looping: self.clock.is_looping(),
             is_of_relaxation: matches!(self.pace, Pace::Steps(_)),
         };
-        let positions = row.place(&mut self.components, self.mesh.vertex_count());
+        let positions = match self.pass.iter().find_map(|(_, frames)| frames.get(self.frame.max(1) - 1)) {
+            Some(places) => places.clone(),
+            None => row.place(&mut self.components, self.mesh.vertex_count()),
+        };
         let which = Which { frame: self.frame.max(1), of: self.clock.frames(), pace: self.pace };
         let Finished { positions, face_frames, reports } = match self.polish.reach(which, &self.components) {
             Some(reach) => finish(&self.components, positions, reach, self.max_bending_growth, observer)?,
@@ -378,7 +407,7 @@ impl Simulation {
         report.frame = self.frame;
         report.time = self.clock.time(self.frame.max(1));
         report.curvature_error = self.curvature_error;
-        report.on_the_way = matches!(self.pace, Pace::Steps(_))
+        report.on_the_way = matches!(self.pace, Pace::Steps(_) | Pace::BothWays(_))
             && (self.course.changes() || self.components.iter().any(Relaxation::is_on_the_way));
         let mut frame = Frame {
             positions,

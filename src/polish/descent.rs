@@ -201,7 +201,7 @@ impl<'a> Descent<'a> {
     /// does, or the linear system cannot be solved.
     fn step(&mut self) -> Option<Step> {
         let before = self.energy.value(&self.positions, &self.angles, self.stiffness);
-        let direction = self.system.direction(self.energy, &self.positions, self.stiffness).ok()?;
+        let direction = self.system.direction(self.energy, &self.positions, self.stiffness, None).ok()?;
         let mut share = 1.0;
         for _ in 0..=HALVINGS_OF_A_POLISH_STEP {
             let next: Vec<DVec3> = self.positions.iter().zip(&direction.moves).map(|(p, x)| *p + *x * share).collect();
