@@ -1,8 +1,9 @@
 //! Films that begin in their middle: a halfway model, and the way down from it on either side.
 
 use super::error::EvolveError;
-use super::pace::OverAPass;
+use super::pace::{OverAPass, Pace};
 use super::progress::Observer;
+use super::state::State;
 use crate::advice::Advice;
 use crate::immersion::Halfway;
 use crate::mesh::Mesh;
@@ -30,32 +31,56 @@ impl Advice for NoPass {
     }
 }
 
-impl OverAPass {
-    /// The pass of a sphere with these positions, |V|.
-    pub(super) fn on(&self, mesh: &Mesh, positions: Option<&[DVec3]>) -> Result<Pass, NoPass> {
+/// A film over a pass. All its frames belong together; one that is resumed finds them again, to the same bits.
+#[derive(Debug)]
+pub(super) struct BothWays {
+    pass: Pass,
+    /// Positions of each frame, |V|, once they are known.
+    frames: Vec<Vec<DVec3>>,
+}
+
+impl BothWays {
+    /// Of a sphere with these positions, |V|, if the film is one.
+    pub fn of(pace: Pace, mesh: &Mesh, positions: Option<&[DVec3]>) -> Result<Option<BothWays>, NoPass> {
+        let Pace::BothWays(OverAPass { lobes, stiffness }) = pace else { return Ok(None) };
         if mesh.euler_characteristic() != 2 || mesh.components().len() != 1 {
             return Err(NoPass::NoSphere);
         }
         let sphere = positions.ok_or(NoPass::NoPositions)?;
-        let at = |time: f64| Halfway { lobes: self.lobes, time }.of_sphere(sphere);
+        let at = |time: f64| Halfway { lobes, time }.of_sphere(sphere);
         let aside = at(BESIDE).iter().zip(at(-BESIDE)).map(|(ahead, behind)| *ahead - behind).collect();
-        let exchange = SideExchange::of_sphere(sphere, self.lobes)?;
-        Ok(Pass { halfway: at(0.0), aside, exchange, stiffness: self.stiffness })
+        let exchange = SideExchange::of_sphere(sphere, lobes)?;
+        Ok(Some(BothWays { pass: Pass { halfway: at(0.0), aside, exchange, stiffness }, frames: Vec::new() }))
     }
-}
 
-/// All frames of a film over a pass, each |V|.
-pub(super) fn film_of(
-    pass: &Pass,
-    mesh: &Mesh,
-    metric: &Metric,
-    (frames, time): (usize, f64),
-    observer: &mut dyn Observer,
-) -> Result<Vec<Vec<DVec3>>, EvolveError> {
-    pass.frames(mesh, metric, frames, &mut |step| observer.after_polish_step(step)).map_err(|error| match error {
-        PassError::Stopped { steps } => EvolveError::Stopped { steps },
-        error => EvolveError::Pass { time, error },
-    })
+    /// The frame with this number, from 1, once frames are known.
+    pub fn frame(&self, number: usize) -> Option<&[DVec3]> {
+        self.frames.get(number.checked_sub(1)?).map(Vec::as_slice)
+    }
+
+    /// Gives a state the frames of the surface that has this number.
+    pub fn show(&self, number: usize, state: &mut State) {
+        self.frame(number).into_iter().for_each(|places| state.set_positions(places));
+    }
+
+    /// Finds all frames, if they are not known yet; `time` is that of the one that is to be made.
+    pub fn find(
+        &mut self,
+        mesh: &Mesh,
+        metric: &Metric,
+        frames: usize,
+        time: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
+        if self.frames.is_empty() {
+            let found = self.pass.frames(mesh, metric, frames, &mut |step| observer.after_polish_step(step));
+            self.frames = found.map_err(|error| match error {
+                PassError::Stopped { steps } => EvolveError::Stopped { steps },
+                error => EvolveError::Pass { time, error },
+            })?;
+        }
+        Ok(())
+    }
 }
 
 /// The time of surfaces beside a halfway model that say which way leads off it.

@@ -1,8 +1,9 @@
 //! From the pass down to the surface that is asked for, on one side.
 
+use super::error::PassError;
 use super::flow::{Flow, Shape, Taken};
+use super::halfway::Pass;
 use super::way::Way;
-use super::{Pass, PassError};
 use crate::algebra::inner_product;
 use crate::polish::energy::{Energy, Stiffness};
 use crate::tuning::{

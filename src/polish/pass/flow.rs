@@ -1,6 +1,6 @@
 //! Steps of a thin shell downhill, none of which folds a hinge over or crushes a face.
 
-use super::PassError;
+use super::error::PassError;
 use crate::polish::descent::{PolishStep, Watch};
 use crate::polish::energy::{Energy, Stiffness};
 use crate::polish::newton::{Drag, NewtonSystem};

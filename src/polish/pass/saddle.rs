@@ -1,7 +1,8 @@
 //! A halfway model takes on lengths, as slowly as it takes.
 
+use super::error::PassError;
 use super::flow::{Flow, Shape};
-use super::{Pass, PassError};
+use super::halfway::Pass;
 use crate::mesh::Mesh;
 use crate::metric::{Metric, lengths_of_positions};
 use crate::polish::energy::{Energy, Stiffness};

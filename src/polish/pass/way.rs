@@ -1,6 +1,6 @@
 //! The way down from a pass, and films of it.
 
-use super::SideExchange;
+use super::symmetry::SideExchange;
 use glam::DVec3;
 
 /// A path of surfaces, in mean edge lengths.

@@ -44,7 +44,7 @@ fn a_mesh_without_the_symmetry_is_refused() {
 }
 
 /// Small enough for a test, and so stretched more than the film that ships.
-const FILM: &str = "[mesh]\nshape = 'octasphere'\nsubdivisions = 12\n[start]\nhalfway = 2\n[bending]\nbending_stiffness = 0.15\n\
+const FILM: &str = "[mesh]\nshape = 'octasphere'\nsubdivisions = 12\n[start]\nhalfway = 2\n[bending]\nbending_stiffness = 0.05\n\
                     [clock]\nboth_ways = true\nframes = 81\n";
 
 #[test]
@@ -62,7 +62,7 @@ fn a_sphere_turns_inside_out() {
     }
     for frame in &frames {
         assert_eq!((frame.report.rims, frame.report.pinch_points), (0, 0), "frame {}", frame.report.frame);
-        assert!(l2_length_error(&mesh, &metric, &frame.positions) < 0.2);
+        assert!(l2_length_error(&mesh, &metric, &frame.positions) < 0.08);
     }
     // One half is the other one, turned. Which of them was computed decides how a turn back is rounded.
     let exchange = SideExchange::of_sphere(&sphere, 2).expect("a symmetric mesh");
