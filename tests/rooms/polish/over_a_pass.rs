@@ -72,3 +72,41 @@ fn a_sphere_turns_inside_out() {
         assert!(off < 1e-12, "frame {k}: {off}");
     }
 }
+
+/// The fewest faces that get over.
+const SMALL: &str = "[mesh]\nshape = 'octasphere'\nsubdivisions = 8\n[start]\nhalfway = 2\n[bending]\nbending_stiffness = 0.03\n\
+                     [clock]\nboth_ways = true\nframes = 5\n";
+
+#[test]
+fn the_same_bits_on_one_thread_and_after_a_resume() {
+    let mut whole = scene(SMALL).simulation().expect("a simulation");
+    let frames: Vec<_> = (0..5).map(|_| whole.next_frame(&mut Unobserved).expect("a frame")).collect();
+    let mut resumed = scene(SMALL).simulation().expect("a simulation");
+    resumed.resume(frames[1].clone()).expect("its own film");
+    let one = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+    for frame in &frames[2..] {
+        let again = one.install(|| resumed.next_frame(&mut Unobserved)).expect("a frame");
+        assert!(again.positions == frame.positions && again.face_frames == frame.face_frames);
+        assert_eq!(again.report.enclosed_volume, frame.report.enclosed_volume);
+    }
+}
+
+#[test]
+fn what_goes_with_frames_alone_is_refused() {
+    for (from, to, reason) in [
+        ("halfway = 2", "from = 'mesh'", "halfway model"),
+        ("frames = 5", "frames = 5\nloop = true", "neither loop"),
+        ("frames = 5", "frames = 5\n[[pin]]\nvertices = [0]", "pins"),
+    ] {
+        let text = SMALL.replace(from, to);
+        let scene = immerse::Scene::parse(&text, "film", "".as_ref());
+        let told = match scene {
+            Err(mistakes) => mistakes.to_string(),
+            Ok(scene) => scene.simulation().expect_err(reason).to_string(),
+        };
+        assert!(told.contains(reason), "{told}");
+    }
+    let icosphere = SMALL.replace("'octasphere'", "'sphere'");
+    let error = scene(&icosphere).simulation().expect_err("no symmetry");
+    assert!(error.to_string().contains("octasphere"), "{error}");
+}
