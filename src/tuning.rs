@@ -229,3 +229,56 @@ pub const ACCURATE_POLISH: f64 = 1e-8;
 /// Faces up to which a static scene is polished without being asked to. Sparse factors of three unknowns a vertex take 4 s and
 /// 2 GB there.
 pub const MOST_FACES_TO_POLISH: usize = 200_000;
+
+/// The share of its area below which a face resists on the way over a pass. Corners of a stiff shell would crush faces.
+pub const LEAST_AREA: f64 = 0.7;
+
+/// Parts in which the lengths of a halfway model become those that are asked for, and steps in each. With ten parts faces get crushed.
+pub const PARTS_TO_A_PASS: usize = 25;
+
+/// See [`PARTS_TO_A_PASS`].
+pub const STEPS_TO_A_PASS: usize = 2;
+
+/// Shares of the weight of bending that a surface comes to rest with on a pass, one after another. Of a stiff halfway model with
+/// lengths far from those asked for, slivers would be crushed.
+pub const SOFT_ON_A_PASS: [f64; 3] = [0.04, 0.2, 1.0];
+
+/// Steps with each of them. The rest does not have to be complete, since the way down begins there.
+pub const STEPS_ON_A_PASS: usize = 15;
+
+/// The work of the push off a pass, where every vertex goes as far as the radius of the sphere, in units of the weight of bending. A soft
+/// halfway model is at rest in a shallow dip and does not leave it by itself; pushed twice as hard it runs into a corner that locks.
+pub const PUSH_OFF_A_PASS: f64 = 35.0;
+
+/// How far the surface has to be from the pass before it goes on by itself, root mean square, in radii. At 0.7 it is pressed into that
+/// corner, too.
+pub const REACH_OF_THE_PUSH: f64 = 0.5;
+
+/// The least drag of the way down: work as in [`PUSH_OFF_A_PASS`]. It keeps slow moves from becoming jumps.
+pub const DRAG_OF_A_DESCENT: f64 = 0.4;
+
+/// How far a step of the way down moves a vertex, in radii, but not farther than an edge.
+pub const STEP_OF_A_DESCENT: f64 = 0.04;
+
+/// What is left of a step in the next one. Newton's matrix without its indefinite part is stiffer than the shell.
+pub const MOMENTUM: f64 = 0.8;
+
+/// Steps of the way down, at most. That of `sphere_eversion` has some 400.
+pub const MOST_STEPS_OF_A_DESCENT: usize = 2000;
+
+/// L2 length error from which on what is left is polish.
+pub const NEARLY_DOWN: f64 = 0.01;
+
+/// The largest turn of a hinge in a step over a pass, in radians (57°).
+pub const GENTLE_HINGE_TURN: f64 = 1.0;
+
+/// Weight of bending of a shell on its way over a pass, where a scene does not say: that of `sphere_eversion`. Half as much makes a
+/// third less strain on the pass.
+pub const STIFFNESS_OVER_A_PASS: f64 = 0.25;
+
+/// By which factor the shell gets stiffer from step to step of the way down, as long as its strain is less than on the pass or it does not
+/// move. A shell that stays as soft as it was there makes narrow pockets, whose corners lock before they have opened.
+pub const STIFFENING: f64 = 1.03;
+
+/// How much stiffer it may get in all.
+pub const MOST_STIFFENING: f64 = 20.0;

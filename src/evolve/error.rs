@@ -2,12 +2,14 @@
 
 use super::discretization::DiscretizationError;
 use super::frame::UnfitFrame;
+use super::over_a_pass::NoPass;
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;
 use crate::immersion::{NoAngle, PinError};
 use crate::mesh::{LARGEST_COORDINATE, SurfaceError};
 use crate::metric::NoMetric;
+use crate::polish::PassError;
 use crate::spin::{Class, SpinError};
 use std::fmt;
 
@@ -54,6 +56,9 @@ pub enum SetupError {
     /// The Poisson problem.
     #[error("{}; {}", .0, self.remedy())]
     Poisson(#[from] CholeskyError),
+    /// It has no way over a pass.
+    #[error(transparent)]
+    Pass(#[from] NoPass),
 }
 
 impl From<DiscretizationError> for SetupError {
@@ -81,6 +86,7 @@ impl Advice for SetupError {
             }
             SetupError::Shell(error) => error.remedy(),
             SetupError::Poisson(_) => EVEN_OUT.into(),
+            SetupError::Pass(error) => error.remedy(),
         }
     }
 }
@@ -200,6 +206,14 @@ pub enum EvolveError {
         /// Why.
         error: CholeskyError,
     },
+    /// There is no way over the pass.
+    #[error("at time {time} {error}; {}", self.remedy())]
+    Pass {
+        /// When.
+        time: f64,
+        /// Why.
+        error: PassError,
+    },
     /// A frame of the film holds numbers that cannot be kept.
     #[error("at time {time} {}; {}", fault.reason(), self.remedy())]
     Unfit {
@@ -281,6 +295,7 @@ impl Advice for EvolveError {
             EvolveError::Pin(error) => error.remedy(),
             EvolveError::Bending(error) => error.remedy(),
             EvolveError::Shell(error) => error.remedy(),
+            EvolveError::Pass { .. } => "raise `bending_stiffness`, or use a finer mesh".into(),
             EvolveError::Poisson { .. } => EVEN_OUT.into(),
             EvolveError::StarChanged { .. } => "lower `max_strain` of the clock, or use better triangles there".into(),
             EvolveError::ClassChanged { .. } => "lower `max_strain` of the clock, or use better triangles".into(),

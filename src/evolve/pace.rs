@@ -12,6 +12,17 @@ pub enum Pace {
     Steps(usize),
     /// The metric moves on, and the surface follows until it has settled.
     Settle(Settling),
+    /// The film begins in the middle, on a halfway model, and goes down both ways: first frames are one half backwards.
+    BothWays(OverAPass),
+}
+
+/// A way over a pass, see [`Pace::BothWays`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OverAPass {
+    /// Lobes of the halfway model.
+    pub lobes: usize,
+    /// Weight of bending of the shell; strain of an edge weighs 1.
+    pub stiffness: f64,
 }
 
 impl Default for Pace {

@@ -6,11 +6,12 @@ use super::course::Course;
 use super::error::{EvolveError, ResumeError, SetupError};
 use super::finish::{Finished, Which, finish};
 use super::frame::{Frame, check_face_frames};
+use super::over_a_pass::BothWays;
 use super::pace::Pace;
 use super::places::Row;
 use super::program::{Polishing, Program};
 use super::progress::Observer;
-use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule};
+use super::relax::{Among, Beginning, Phase, PhaseError, Relaxation, Schedule, split};
 use super::report::{compare, measure};
 use crate::algebra::Complex;
 use crate::digest::Key;
@@ -45,6 +46,7 @@ pub struct Simulation {
     course: Course,
     clock: Clock,
     pace: Pace,
+    both_ways: Option<BothWays>,
     polish: Polishing,
     max_bending_growth: f64,
     /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
@@ -76,6 +78,7 @@ impl Simulation {
         if let Some((index, place)) = start.positions().and_then(first_out_of_reach) {
             return Err(SetupError::StartPlace { vertex: mesh.file_vertex(VertexId::new(index)), place });
         }
+        let both_ways = BothWays::of(pace, &mesh, mesh_positions.as_deref())?;
         let mesh = Arc::new(mesh);
         let time = clock.time(1);
         let course = Course::new(mesh.clone(), metric, bending, pins, time)?;
@@ -107,6 +110,7 @@ impl Simulation {
             course,
             clock,
             pace,
+            both_ways,
             polish,
             max_bending_growth,
             origin,
@@ -131,7 +135,10 @@ impl Simulation {
         if let Pace::EachClass = pace {
             self.begin_class(made, time)?;
         }
-        let Simulation { components, course, .. } = self;
+        let Simulation { components, course, both_ways, .. } = self;
+        both_ways
+            .iter_mut()
+            .try_for_each(|film| film.find(&self.mesh, &self.metric, clock.frames(), time, observer))?;
         for relaxation in components {
             relaxation.begin_frame(made + 1);
             match (pace, made) {
@@ -144,6 +151,7 @@ impl Simulation {
                     }
                 }
                 (Pace::Settle(settling), _) => relaxation.follow(course, time, &settling, observer)?,
+                (Pace::BothWays(_), _) => both_ways.iter().for_each(|film| film.show(made + 1, relaxation.state_mut())),
                 // The first frame of a film of the relaxation is where it starts.
                 (Pace::Steps(_), 0) => {}
                 (Pace::Steps(steps), _) => {
@@ -199,8 +207,8 @@ impl Simulation {
         let no_metric = |error| NoMetric { time, part: MetricPart::Lengths, error };
         let metric = Arc::new(Metric::new(&self.mesh, from.edge_lengths.clone()).map_err(no_metric)?);
         let classes = match self.pace {
-            Pace::EachClass => self.split(&Class::of_number(frame - 1, self.homology.betti())),
-            Pace::Steps(_) | Pace::Settle(_) => {
+            Pace::EachClass => split(&self.components, &Class::of_number(frame - 1, self.homology.betti())),
+            Pace::Steps(_) | Pace::Settle(_) | Pace::BothWays(_) => {
                 self.components.iter().map(|relaxation| relaxation.state().class().clone()).collect()
             }
         };
@@ -329,24 +337,13 @@ impl Simulation {
 
     /// Starts over in the class with this number, the last generator being its last binary digit.
     fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
-        let classes = self.split(&Class::of_number(number, self.homology.betti()));
+        let classes = split(&self.components, &Class::of_number(number, self.homology.betti()));
         for (relaxation, class) in self.components.iter_mut().zip(classes) {
             relaxation.state_mut().move_to(&mut self.course, time)?;
             relaxation.begin_class(&self.course, class)?;
         }
         self.previous = None;
         Ok(())
-    }
-
-    /// What a class of the whole surface is on each component. Generators come component by component.
-    fn split(&self, class: &Class) -> Vec<Class> {
-        let mut rest = class.digits();
-        let own = |relaxation: &Relaxation| {
-            let own;
-            (own, rest) = rest.split_at(relaxation.state().betti());
-            Class::new(own.to_vec())
-        };
-        self.components.iter().map(own).collect()
     }
 
     fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
@@ -367,7 +364,10 @@ impl Simulation {
             is_looping: self.clock.is_looping(),
             is_of_relaxation: matches!(self.pace, Pace::Steps(_)),
         };
-        let positions = row.place(&mut self.components, self.mesh.vertex_count());
+        let positions = match self.both_ways.iter().find_map(|film| film.frame(self.frame)) {
+            Some(places) => places.to_vec(),
+            None => row.place(&mut self.components, self.mesh.vertex_count()),
+        };
         let which = Which { frame: self.frame.max(1), of: self.clock.frames(), pace: self.pace };
         let Finished { positions, face_frames, reports } = match self.polish.reach(which, &self.components) {
             Some(reach) => finish(&self.components, positions, reach, self.max_bending_growth, observer)?,
@@ -378,7 +378,7 @@ impl Simulation {
         report.frame = self.frame;
         report.time = self.clock.time(self.frame.max(1));
         report.curvature_error = self.curvature_error;
-        report.on_the_way = matches!(self.pace, Pace::Steps(_))
+        report.on_the_way = matches!(self.pace, Pace::Steps(_) | Pace::BothWays(_))
             && (self.course.changes() || self.components.iter().any(Relaxation::is_on_the_way));
         let mut frame = Frame {
             positions,

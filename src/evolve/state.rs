@@ -132,6 +132,12 @@ impl State {
         self.face_frames = frames;
     }
 
+    /// The frames of the surface at these positions, |V|, in the place of its own.
+    pub fn set_positions(&mut self, positions: &[DVec3]) {
+        let frames = rimless_frames(self.mesh(), &self.metric, self.shell(), positions);
+        self.set_face_frames(frames);
+    }
+
     /// Target bending angles in radians, with which of them are asked for; both |E|.
     pub fn target_angles(&self) -> Option<(&[f64], &[bool])> {
         self.angles.as_deref().zip(self.is_bent.as_deref())

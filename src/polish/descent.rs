@@ -243,7 +243,7 @@ impl<'a> Descent<'a> {
     fn step(&mut self) -> Option<Step> {
         let weights = Stiffness { bending: self.stiffness, barrier: self.stiffness.max(self.polish.least_barrier) };
         let before = self.energy.value(&self.positions, &self.angles, weights);
-        let direction = self.system.direction(self.energy, &self.positions, weights).ok()?;
+        let direction = self.system.direction(self.energy, &self.positions, weights, None).ok()?;
         let mut share = 1.0;
         for _ in 0..=HALVINGS_OF_A_POLISH_STEP {
             let next: Vec<DVec3> = self.positions.iter().zip(&direction.moves).map(|(p, x)| *p + *x * share).collect();

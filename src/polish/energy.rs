@@ -1,11 +1,11 @@
 //! What a surface costs: its strain, its bending, and the barrier.
 
-use super::barrier::barrier;
+use super::barrier::{Jet, barrier};
 use super::hinge::{Hinge, hinges};
 use crate::algebra::inner_product;
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::Metric;
-use crate::tuning::BARRIER_WEIGHT;
+use crate::tuning::{BARRIER_WEIGHT, LEAST_AREA};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -23,6 +23,8 @@ pub(super) struct Energy {
     pub faces: Vec<[u32; 3]>,
     /// Per face: the area that its lengths ask for.
     areas: Vec<f64>,
+    /// Whether faces that are crushed cost besides what their edges do.
+    pub holds_areas: bool,
 }
 
 /// What angles cost.
@@ -32,6 +34,13 @@ pub(super) struct Stiffness {
     pub bending: f64,
     /// The weight of the barrier.
     pub barrier: f64,
+}
+
+impl Stiffness {
+    /// The same weight for both.
+    pub fn of(weight: f64) -> Stiffness {
+        Stiffness { bending: weight, barrier: weight }
+    }
 }
 
 impl Energy {
@@ -45,6 +54,7 @@ impl Energy {
             rest: hinges.iter().map(|hinge| rest.map_or(0.0, |rest| rest[hinge.edge])).collect(),
             faces: mesh.triangles(),
             areas: metric.face_areas().iter().map(|area| area / (unit * unit)).collect(),
+            holds_areas: false,
             hinges,
         }
     }
@@ -67,7 +77,24 @@ impl Energy {
             rest: hinges.iter().map(|h| self.rest[*h]).collect(),
             faces: faces.iter().map(|f| self.faces[*f].map(|v| own(v as usize) as u32)).collect(),
             areas: faces.iter().map(|f| self.areas[*f]).collect(),
+            holds_areas: self.holds_areas,
         }
+    }
+
+    /// The same, with what keeps faces from being crushed: ln²(A / A₀) / 2 where the area A of a face is less than its least one A₀.
+    pub fn with_uncrushed_faces(self) -> Energy {
+        Energy { holds_areas: true, ..self }
+    }
+
+    /// Of the whole surface, as its lengths ask for.
+    pub fn area(&self) -> f64 {
+        inner_product(&self.areas, &self.areas, |area, _| area)
+    }
+
+    /// What is crushed, of each face.
+    pub fn crushes(&self, positions: &[DVec3]) -> Vec<Option<Crush>> {
+        let faces = self.faces.par_iter().with_min_len(TASK).zip(&self.areas);
+        faces.map(|(face, asked)| if self.holds_areas { Crush::of(*face, *asked, positions) } else { None }).collect()
     }
 
     /// Relative length errors, |E|.
@@ -99,7 +126,13 @@ impl Energy {
                     * (0.5 * stiffness.bending * off * off + stiffness.barrier * BARRIER_WEIGHT * barrier(*angle).value)
             })
             .collect();
-        strain + inner_product(&costs, &costs, |cost, _| cost)
+        let crushes: Vec<f64> = if self.holds_areas {
+            self.crushes(positions).iter().map(|crush| crush.map_or(0.0, |crush| crush.jet.value)).collect()
+        } else {
+            Vec::new()
+        };
+        let crushed = inner_product(&crushes, &crushes, |crush, _| crush);
+        strain + inner_product(&costs, &costs, |cost, _| cost) + crushed
     }
 
     /// Whether every face keeps at least this share of the area that its lengths ask for, or half of what it has now.
@@ -113,6 +146,33 @@ impl Energy {
             let now = area(positions, face);
             now >= least * asked || now >= 0.5 * area(before, face)
         })
+    }
+}
+
+/// A face that has lost so much of its area that it costs.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Crush {
+    /// What it costs, by the share of the area that is left.
+    pub jet: Jet,
+    pub corners: [usize; 3],
+    /// Of the share that is left, by the places of the corners.
+    pub gradient: [DVec3; 3],
+}
+
+impl Crush {
+    fn of(face: [u32; 3], asked: f64, positions: &[DVec3]) -> Option<Crush> {
+        let corners = face.map(|v| v as usize);
+        let [a, b, c] = corners.map(|v| positions[v]);
+        let normal = (b - a).cross(c - a);
+        let double = normal.length();
+        let left = 0.5 * double / asked;
+        if left >= LEAST_AREA {
+            return None;
+        }
+        let log = libm::log(left / LEAST_AREA);
+        let jet = Jet { value: 0.5 * log * log, first: log / left, second: (1.0 - log) / (left * left) };
+        let gradient = [c - b, a - c, b - a].map(|side| normal.cross(side) * (0.5 / (double * asked)));
+        Some(Crush { jet, corners, gradient })
     }
 }
 

@@ -17,9 +17,11 @@ mod energy;
 mod hinge;
 mod local_search;
 mod newton;
+mod pass;
 mod report;
 #[cfg(test)]
 mod tests;
 
 pub use descent::{Polish, PolishStep, Polished, Watch};
+pub use pass::{NoSymmetry, Pass, PassError, SideExchange};
 pub use report::{Ending, PolishReport, mean_bending};

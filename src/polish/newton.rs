@@ -1,7 +1,7 @@
 //! The linear system of a step: Newton's, made positive definite.
 
 use super::barrier::barrier;
-use super::energy::{Energy, Stiffness};
+use super::energy::{Crush, Energy, Stiffness};
 use crate::algebra::{BlockCholesky, CholeskyError};
 use crate::tuning::{BARRIER_WEIGHT, POLISH_ANCHOR};
 use glam::{DMat3, DVec3};
@@ -19,9 +19,22 @@ pub(super) struct NewtonSystem {
     edge_pairs: Vec<Option<Coupling>>,
     /// Per hinge: those of its corners, (1, 0), (2, 0), (2, 1), (3, 0), (3, 1), (3, 2).
     hinge_pairs: Vec<[Option<Coupling>; 6]>,
+    /// Per face: those of its corners, (1, 0), (2, 0), (2, 1).
+    face_pairs: Vec<[Option<Coupling>; 3]>,
     diagonal: Vec<DMat3>,
     pairs: Vec<DMat3>,
     gradient: Vec<DVec3>,
+}
+
+/// What a surface moves against, and what drives it besides its energy.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Drag<'a> {
+    /// Per vertex.
+    pub masses: &'a [f64],
+    /// What resists moves of a vertex, per mass.
+    pub drag: f64,
+    /// Force on each vertex, |V|, or none.
+    pub push: &'a [DVec3],
 }
 
 /// A pair of unknowns, and whether it stands the other way round among the pairs.
@@ -59,35 +72,78 @@ impl NewtonSystem {
         let edge_pairs = energy.ends.iter().map(|[a, b]| couple(*a, *b)).collect();
         let hinge_pairs = energy.hinges.iter().map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j])));
         let hinge_pairs = hinge_pairs.collect();
+        // They are edges, and so coupled already.
+        let face_pairs = energy.faces.iter().map(|f| FACE_PAIRS.map(|(i, j)| couple(f[i] as usize, f[j] as usize)));
+        let face_pairs = if energy.holds_areas { face_pairs.collect() } else { Vec::new() };
         Ok(NewtonSystem {
             factor: BlockCholesky::new(count, &pairs)?,
             unknowns,
             edge_pairs,
             hinge_pairs,
+            face_pairs,
             diagonal: vec![DMat3::ZERO; count],
             pairs: vec![DMat3::ZERO; pairs.len()],
             gradient: vec![DVec3::ZERO; count],
         })
     }
 
-    /// The direction of a step from these positions.
+    /// The direction of a step from these positions, against a drag or not.
     pub fn direction(
         &mut self,
         energy: &Energy,
         positions: &[DVec3],
         stiffness: Stiffness,
+        drag: Option<&Drag>,
     ) -> Result<Direction, CholeskyError> {
         self.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
         self.pairs.fill(DMat3::ZERO);
         self.gradient.fill(DVec3::ZERO);
         self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.bending } else { 0.0 });
         self.add_bending(energy, positions, stiffness);
+        if energy.holds_areas {
+            self.add_crushes(energy, positions);
+        }
+        drag.into_iter().for_each(|drag| self.add_drag(drag));
         self.factor.factorize(&self.diagonal, &self.pairs)?;
         let mut x: Vec<DVec3> = self.gradient.iter().map(|g| -*g).collect();
         self.factor.solve(&mut x);
         let slope = self.gradient.iter().zip(&x).map(|(g, x)| -g.dot(*x)).sum();
         let moves = self.unknowns.iter().map(|unknown| unknown.map_or(DVec3::ZERO, |row| x[row])).collect();
         Ok(Direction { moves, slope })
+    }
+
+    /// How fast the energy falls along other moves, |V|, from where the last direction was asked for.
+    pub fn slope_along(&self, moves: &[DVec3]) -> f64 {
+        let slope = |(unknown, x): (&Option<usize>, &DVec3)| unknown.map_or(0.0, |row| -self.gradient[row].dot(*x));
+        self.unknowns.iter().zip(moves).map(slope).sum()
+    }
+
+    fn add_drag(&mut self, drag: &Drag) {
+        for (v, unknown) in self.unknowns.iter().enumerate() {
+            if let Some(row) = *unknown {
+                self.diagonal[row] += DMat3::from_diagonal(DVec3::splat(drag.drag * drag.masses[v]));
+                self.gradient[row] -= drag.push.get(v).copied().unwrap_or_default();
+            }
+        }
+    }
+
+    /// Per face that is crushed: b″ ∇A ∇Aᵀ.
+    fn add_crushes(&mut self, energy: &Energy, positions: &[DVec3]) {
+        for (crush, couplings) in energy.crushes(positions).iter().zip(&self.face_pairs) {
+            let Some(Crush { jet, corners, gradient }) = crush else { continue };
+            for (v, gradient) in corners.iter().zip(gradient) {
+                if let Some(row) = self.unknowns[*v] {
+                    self.diagonal[row] += outer(*gradient, *gradient) * jet.second;
+                    self.gradient[row] += *gradient * jet.first;
+                }
+            }
+            for ((i, j), coupling) in FACE_PAIRS.into_iter().zip(couplings) {
+                if let Some(Coupling { pair, is_swapped }) = *coupling {
+                    let [row, column] = if is_swapped { [j, i] } else { [i, j] };
+                    self.pairs[pair] += outer(gradient[row], gradient[column]) * jet.second;
+                }
+            }
+        }
     }
 
     /// Per edge of direction u, length L and strain s = L/ℓ − 1: (u uᵀ + max(s, 0) ℓ/L (1 − u uᵀ)) / ℓ², and what holds the
@@ -145,5 +201,7 @@ fn outer(u: DVec3, v: DVec3) -> DMat3 {
     DMat3::from_cols(u * v.x, u * v.y, u * v.z)
 }
 
+/// All pairs of the corners of a face.
+const FACE_PAIRS: [(usize, usize); 3] = [(1, 0), (2, 0), (2, 1)];
 /// All pairs of the corners of a hinge.
 const CORNER_PAIRS: [(usize, usize); 6] = [(1, 0), (2, 0), (2, 1), (3, 0), (3, 1), (3, 2)];

@@ -69,7 +69,7 @@ fn the_slope_of_a_step() -> Result<(), Box<dyn std::error::Error>> {
     let energy = Energy::new(&surface.mesh, &metric, None, false, 1.0);
     let mut system = NewtonSystem::new(&energy, &vec![false; positions.len()])?;
     let stiffness = Stiffness { bending: 0.1, barrier: 0.2 };
-    let direction = system.direction(&energy, &positions, stiffness)?;
+    let direction = system.direction(&energy, &positions, stiffness, None)?;
     let at = |share: f64| {
         let moved: Vec<DVec3> = positions.iter().zip(&direction.moves).map(|(p, x)| *p + *x * share).collect();
         energy.value(&moved, &energy.angles(&moved), stiffness)

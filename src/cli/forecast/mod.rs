@@ -26,7 +26,7 @@ pub(super) fn forecast(scene: &Scene) -> Result<Vec<String>, PipelineError> {
         try_some_steps(surface, program).map_err(|error| PipelineError::from(scene.setup_fault(&error)))?;
     let later = match pace {
         Pace::EachClass => first,
-        Pace::Steps(_) | Pace::Settle(_) => next,
+        Pace::Steps(_) | Pace::Settle(_) | Pace::BothWays(_) => next,
     };
     let simulation = match pace {
         // The first frame is the first steps.

@@ -40,7 +40,7 @@ pub(super) fn try_some_steps(surface: Surface, program: Program) -> Result<Costs
     let (of_frame, phase) = match pace {
         Pace::Steps(steps) => (steps, 0),
         Pace::Settle(settling) => (OF_FRAME.min(settling.max_steps()), phases.len()),
-        Pace::EachClass => return Ok(costs),
+        Pace::EachClass | Pace::BothWays(_) => return Ok(costs),
     };
     let begin = Instant::now();
     if first && tried(&mut simulation, &mut watch) {
@@ -64,7 +64,7 @@ fn few_steps(program: Program) -> Program {
             let steps = settling.max_steps().min(TRIED);
             Settling::new(settling.tolerance_radians(), steps, settling.max_strain()).map_or(program.pace, Pace::Settle)
         }
-        Pace::EachClass => Pace::EachClass,
+        Pace::EachClass | Pace::BothWays(_) => program.pace,
     };
     Program { schedule: schedule.unwrap_or_else(|_| program.schedule.clone()), pace, polish: Polishing::Off, ..program }
 }

@@ -8,7 +8,7 @@ use crate::digest::{Digest, Key};
 use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::EvolveError;
 use crate::evolve::follow::Station;
-use crate::evolve::pace::{Pace, Settling};
+use crate::evolve::pace::{OverAPass, Pace, Settling};
 use crate::evolve::program::{AskedClass, Orientation, Polishing, Program, Start};
 use crate::evolve::relax::{Phase, TimeStep};
 use crate::frames::Method;
@@ -164,6 +164,9 @@ pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key 
             .text("settle")
             .numbers([settling.tolerance_radians(), settling.max_strain()])
             .count(settling.max_steps()),
+        Pace::BothWays(OverAPass { lobes, stiffness }) => {
+            digest.text("both ways").counts([*lobes, clock.frames()]).number(*stiffness)
+        }
     };
     // A film that is not polished has the keys that it had before there was polish.
     let digest = match polish {

@@ -15,4 +15,4 @@ mod step;
 
 pub use cursor::Cursor;
 pub use phase::{Phase, PhaseError, Schedule, TimeStep};
-pub(super) use relaxation::{Among, Beginning, Relaxation};
+pub(super) use relaxation::{Among, Beginning, Relaxation, split};

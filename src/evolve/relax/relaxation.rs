@@ -208,6 +208,17 @@ impl Relaxation {
     }
 }
 
+/// What a class of the whole surface is on each component. Generators come component by component.
+pub(in crate::evolve) fn split(components: &[Relaxation], class: &Class) -> Vec<Class> {
+    let mut rest = class.digits();
+    let own = |relaxation: &Relaxation| {
+        let own;
+        (own, rest) = rest.split_at(relaxation.state().betti());
+        Class::new(own.to_vec())
+    };
+    components.iter().map(own).collect()
+}
+
 /// The frames to start from, |F|.
 fn frames_of(start: &Start, mesh: &Mesh, metric: &Metric, shell: &Shell) -> Vec<DQuat> {
     match start {

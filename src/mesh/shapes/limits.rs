@@ -19,6 +19,8 @@ pub const LEAST_TORUS_ROWS: usize = 4;
 pub const LEAST_ROWS: usize = 1;
 /// The least number of rings of a disk.
 pub const LEAST_RINGS: usize = 1;
+/// The least number of sides of a polygon.
+pub const LEAST_SIDES: usize = 3;
 /// The least number of parts that an edge is divided into.
 pub const LEAST_SUBDIVISIONS: usize = 1;
 /// The least number of faces of a hyperbolic disk: one hexagon.

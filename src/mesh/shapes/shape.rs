@@ -8,6 +8,9 @@ pub enum Shape {
     Sphere { radius: f64, subdivisions: usize },
     /// A sphere of this `radius`, cut along `meridians` and `parallels`.
     UvSphere { radius: f64, meridians: usize, parallels: usize },
+    /// A sphere of this `radius` that is an octahedron bent, or another bipyramid over so many `sides`. Its edges are divided into
+    /// `subdivisions` parts.
+    Octasphere { radius: f64, subdivisions: usize, sides: usize },
     /// A parallelogram with opposite sides glued, known by its lengths alone. It is spanned by `a` and `b`, and has
     /// `columns` along `a` and `rows` along `b`.
     FlatTorus { a: [f64; 2], b: [f64; 2], columns: usize, rows: usize, grid: Grid },

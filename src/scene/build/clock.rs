@@ -1,10 +1,10 @@
 //! `[clock]` as times and pace, and how many frames there are when each class has one.
 
-use crate::evolve::{Pace, Settling};
+use crate::evolve::{OverAPass, Pace, Settling};
 use crate::mesh::Mesh;
-use crate::scene::{ClockSection, Scene, SceneError, SpinSection};
+use crate::scene::{ClockSection, Scene, SceneError, SpinSection, StartFrom};
 use crate::timeline::Clock;
-use crate::tuning::STEPS_PER_FRAME;
+use crate::tuning::{STEPS_PER_FRAME, STIFFNESS_OVER_A_PASS};
 
 /// The clock of a scene on its mesh, which says how many classes there are where each has a frame.
 ///
@@ -48,9 +48,28 @@ impl Scene {
         Clock::new(frames, [start, end], looping).map_err(|error| self.complain_about("clock", &error))
     }
 
+    /// What a film of both ways starts on.
+    ///
+    /// # Errors
+    /// At `both_ways` if the scene asks for what goes with frames of faces alone.
+    fn both_ways(&self, changes: bool) -> Result<Pace, SceneError> {
+        let fault = |reason: &str, remedy: &str| Err(self.complain("clock.both_ways", reason, remedy));
+        let StartFrom::Halfway(lobes) = self.start.from else {
+            return fault("a film of both ways begins on a halfway model", "write `halfway = 2` under [start]");
+        };
+        let is_plain = self.start.formula.is_none() && self.start.noise.is_none() && self.bending.is_none();
+        if changes || !is_plain || !self.pins.is_empty() || !self.phases.is_empty() {
+            let reason = "a film of both ways has a metric that stays, and neither pins, phases, target bending angles, nor a start that is moved";
+            return fault(reason, "remove them");
+        }
+        let stiffness = self.relaxation.bending_stiffness.unwrap_or(STIFFNESS_OVER_A_PASS);
+        Ok(Pace::BothWays(OverAPass { lobes, stiffness }))
+    }
+
     /// What happens between two frames; `changes` is whether anything changes with time.
     pub(super) fn pace(&self, section: &ClockSection, changes: bool) -> Result<Pace, SceneError> {
         Ok(match section.steps_per_frame {
+            _ if section.both_ways => self.both_ways(changes)?,
             _ if self.spin == SpinSection::All => Pace::EachClass,
             Some(steps) if section.frames > 1 => Pace::Steps(steps),
             None if section.frames > 1 && !changes => Pace::Steps(STEPS_PER_FRAME),

@@ -18,6 +18,7 @@ impl Scene {
             SetupError::Surface(_) => self.complain_about("mesh", error),
             SetupError::StartCount { .. } | SetupError::StartPlace { .. } => self.complain_about("start", error),
             SetupError::Shell(_) => self.complain_about("bending", error),
+            SetupError::Pass(_) => self.complain_about("clock.both_ways", error),
             SetupError::Poisson(_) => self.complain_about("metric", error),
         }
     }
@@ -32,6 +33,7 @@ impl Scene {
             }
             EvolveError::Pin(error) => self.pin_fault(error),
             EvolveError::Bending(error) => self.complain_about(&bending_key(error), error),
+            EvolveError::Pass { .. } => self.complain_about("clock.both_ways", error),
             EvolveError::TooFar { what: FarMove::Pin { .. }, .. } => self.complain_about("pin", error),
             EvolveError::TooFar { what: FarMove::Edge { .. }, .. } => self.complain_about("clock.max_strain", error),
             _ => return None,

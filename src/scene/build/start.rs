@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::evolve::Start;
-use crate::immersion::{mirrored, moved};
+use crate::immersion::{Halfway, mirrored, moved};
 use crate::mesh::{Surface, read_positions};
 use crate::scene::{Scene, SceneError, StartFrom};
 use crate::timeline::Parameters;
@@ -34,6 +34,7 @@ impl Scene {
             StartFrom::Spectral => return Ok(Start::Spectral),
             StartFrom::Mesh => of_mesh()?,
             StartFrom::Mirror => mirrored(&of_mesh()?),
+            StartFrom::Halfway(lobes) => Halfway { lobes: *lobes, time: 0.0 }.of_sphere(&of_mesh()?),
             StartFrom::File(path) => {
                 read_positions(&self.resolve(path), mesh).map_err(|error| self.complain_about("start.file", &error))?
             }

@@ -51,6 +51,8 @@ pub enum StartFrom {
     Mesh,
     /// `from = "mirror"`: frames of the mirror image of the mesh's positions.
     Mirror,
+    /// `halfway = 2`: frames of the halfway model of a sphere eversion, with so many lobes.
+    Halfway(usize),
     /// `file = "…"`: frames of another mesh with the same connectivity.
     File(PathBuf),
 }

@@ -52,6 +52,8 @@ pub struct ClockSection {
     pub end: f64,
     /// Whether the first frame comes after the last one again.
     pub looping: bool,
+    /// Whether the film begins in its middle, on a halfway model, and shows both ways down.
+    pub both_ways: bool,
     /// A film of the relaxation itself: so many steps from frame to frame. Left out, every frame of a film whose
     /// scene changes with time is relaxed until it has settled, and in any other film it is 2.
     pub steps_per_frame: Option<usize>,
@@ -75,6 +77,7 @@ impl Default for ClockSection {
             start: 0.0,
             end: 1.0,
             looping: false,
+            both_ways: false,
             steps_per_frame: None,
             tolerance: 0.005,
             max_steps: 100,

@@ -18,6 +18,9 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
         start: table.key("start", "Time of the first frame.").or(default.start),
         end: table.key("end", "Time of the last frame or, in a film that loops, of the one after it.").or(default.end),
         looping: table.key("loop", "Whether the first frame comes after the last one again.").or(default.looping),
+        both_ways: table
+            .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere turns inside out.")
+            .or(default.both_ways),
         steps_per_frame: table
             .key("steps_per_frame", "Steps between the frames of a film of the relaxation; left out, frames of a scene that changes with time relax until they have settled.")
             .at_least(1.0)
@@ -40,6 +43,10 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
     if clock.end <= clock.start {
         let reason = format!("the clock ends at {}, not after its start at {}", clock.end, clock.start);
         table.complain("end", reason, "make `end` greater than `start`");
+    }
+    if clock.both_ways && (clock.looping || clock.steps_per_frame.is_some()) {
+        let reason = "`both_ways` asks for two ways down from the middle, which neither loop nor have steps per frame";
+        table.complain("both_ways", reason, "remove `loop` and `steps_per_frame`");
     }
     clock
 }

@@ -25,6 +25,7 @@ pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
         &[
             ("sphere", "A sphere of nearly equilateral triangles.", sphere),
             ("uv_sphere", "A sphere of meridians and parallels.", uv_sphere),
+            ("octasphere", "A sphere with the symmetry of an octahedron or of another bipyramid around the z axis.", octasphere),
             ("flat_torus", "A parallelogram with opposite sides glued, known by its lengths alone.", flat_torus),
             ("torus", "A torus of revolution around the z axis.", torus),
             ("cylinder", "A cylinder without lids around the z axis.", cylinder),
@@ -100,6 +101,18 @@ fn uv_sphere(table: &mut Table) -> Shape {
         radius: radius(table),
         meridians: count(table, "meridians", "Number of meridians.", limits::LEAST_MERIDIANS, 48),
         parallels: count(table, "parallels", "Number of parallels.", limits::LEAST_PARALLELS, 24),
+    }
+}
+
+fn octasphere(table: &mut Table) -> Shape {
+    Shape::Octasphere {
+        radius: radius(table),
+        subdivisions: table
+            .key("subdivisions", "Parts into which each edge is divided; there are 2 sides subdivisions² triangles.")
+            .at_least(limits::LEAST_SUBDIVISIONS as f64)
+            .at_most(MAX_PARTS)
+            .or(24),
+        sides: count(table, "sides", "Corners of the equator, 4 of an octahedron.", limits::LEAST_SIDES, 4),
     }
 }
 

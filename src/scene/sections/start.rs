@@ -21,10 +21,19 @@ pub(super) fn start(table: &mut Table) -> StartSection {
             "Begins with the positions of another mesh with the same connectivity, or of a frame of a film.",
         )
         .optional("deformed.obj".into());
-    table.only_one_of(&["random", "from", "file"]);
+    let halfway = table
+        .key::<usize>(
+            "halfway",
+            "Begins with the halfway model of a sphere eversion, with so many lobes: 2 is Morin's surface, 3 Boy's surface twice covered.",
+        )
+        .at_least(2.0)
+        .at_most(MOST_LOBES)
+        .optional(2);
+    table.only_one_of(&["random", "from", "file", "halfway"]);
     let section = StartSection {
         from: file
             .map(|file| StartFrom::File(file.into()))
+            .or(halfway.map(StartFrom::Halfway))
             .or(from)
             .or(random.map(StartFrom::Random))
             .unwrap_or_default(),
@@ -48,6 +57,9 @@ pub(super) fn start(table: &mut Table) -> StartSection {
     }
     section
 }
+
+/// With more of them triangles of any mesh get too thin.
+const MOST_LOBES: f64 = 12.0;
 
 fn noise(table: &mut Table) -> Noise {
     Noise {

@@ -94,6 +94,8 @@ fn least_sizes_are_the_same_in_scenes_and_shapes() {
     for (rest, key) in [
         ("'uv_sphere'\nmeridians = {}\nparallels = 1", "meridians"),
         ("'uv_sphere'\nparallels = {}", "parallels"),
+        ("'octasphere'\nsubdivisions = {}", "subdivisions"),
+        ("'octasphere'\nsides = {}", "sides"),
         ("'flat_torus'\ngrid = 'square'\ncolumns = {}\nrows = 3", "columns"),
         ("'flat_torus'\ngrid = 'square'\nrows = {}", "rows"),
         ("'torus'\nrows = {}", "rows"),

@@ -79,6 +79,18 @@ fn icospheres() {
 }
 
 #[test]
+fn octaspheres() {
+    for (n, sides) in [(1, 4), (7, 4), (5, 6), (4, 3)] {
+        let surface = make(Shape::Octasphere { radius: 2.0, subdivisions: n, sides });
+        assert_topology(&surface.mesh, 2, 0, 0);
+        assert_eq!((surface.mesh.vertex_count(), surface.mesh.face_count()), (sides * n * n + 2, 2 * sides * n * n));
+        assert!(surface.positions.as_ref().unwrap().iter().all(|p| (p.length() - 2.0).abs() < 1e-14));
+        assert!(volume(&surface) > 0.0);
+    }
+    assert!(smallest_angle(&make(Shape::Octasphere { radius: 1.0, subdivisions: 12, sides: 4 })) > 40.0);
+}
+
+#[test]
 fn uv_spheres() {
     for (meridians, parallels) in [(3, 1), (12, 2), (48, 24)] {
         let surface = make(Shape::UvSphere { radius: 0.5, meridians, parallels });
@@ -464,6 +476,10 @@ fn impossible_parameters_are_refused_with_a_remedy() {
     refused(Shape::Sphere { radius: 1.0, subdivisions: usize::MAX }, &["faces", "lower `subdivisions`"]);
     refused(Shape::UvSphere { radius: -1.0, meridians: 8, parallels: 4 }, &["uv_sphere", "`radius` is -1"]);
     refused(Shape::UvSphere { radius: 1.0, meridians: 2, parallels: 4 }, &["`meridians` is 2", "at least 3"]);
+    refused(
+        Shape::Octasphere { radius: 1.0, subdivisions: 3, sides: 2 },
+        &["octasphere", "`sides` is 2", "at least 3"],
+    );
     refused(torus(a, b, 2, 4, Grid::Square), &["flat_torus", "`columns` is 2"]);
     refused(torus(a, b, 5, 5, Grid::Equilateral), &["`rows` is 5", "even", "square"]);
     refused(torus(a, [2.0, 0.0], 5, 5, Grid::Square), &["parallel"]);

@@ -2,6 +2,7 @@
 
 mod guarantees;
 mod known_shapes;
+mod over_a_pass;
 
 use glam::DVec3;
 use immerse::mesh::{Mesh, VertexId};

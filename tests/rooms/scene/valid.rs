@@ -162,6 +162,8 @@ fn every_shape_is_read_with_its_defaults() {
     };
     assert_eq!(shape("shape = 'sphere'\nradius = 2"), Shape::Sphere { radius: 2.0, subdivisions: 16 });
     assert_eq!(shape("shape = 'uv_sphere'"), Shape::UvSphere { radius: 1.0, meridians: 48, parallels: 24 });
+    let octasphere = Shape::Octasphere { radius: 1.0, subdivisions: 24, sides: 4 };
+    assert_eq!(shape("shape = 'octasphere'"), octasphere);
     assert_eq!(
         shape("shape = 'flat_torus'\ngrid = 'square'\nb = [1, 1]"),
         Shape::FlatTorus { a: [3.0, 0.0], b: [1.0, 1.0], columns: 60, rows: 50, grid: Grid::Square }

@@ -1,0 +1,87 @@
+//! Films that begin in their middle: a halfway model, and the way down from it on either side.
+
+use super::error::EvolveError;
+use super::pace::{OverAPass, Pace};
+use super::progress::Observer;
+use super::state::State;
+use crate::advice::Advice;
+use crate::immersion::Halfway;
+use crate::mesh::Mesh;
+use crate::metric::Metric;
+use crate::polish::{NoSymmetry, Pass, PassError, SideExchange};
+use glam::DVec3;
+
+/// Why a surface has no way over a pass.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NoPass {
+    /// It is no sphere, or several.
+    #[error("a film of both ways is about one sphere, and this surface is none; {}", self.remedy())]
+    NoSphere,
+    /// It is known by its lengths alone.
+    #[error("a film of both ways is about a sphere around the origin, and the mesh has no positions; {}", self.remedy())]
+    NoPositions,
+    /// The halfway model has a symmetry that its mesh has not.
+    #[error("{}; {}", .0, self.remedy())]
+    Asymmetric(#[from] NoSymmetry),
+}
+
+impl Advice for NoPass {
+    fn remedy(&self) -> String {
+        "write shape = \"octasphere\" under [mesh], with `sides` twice the `lobes` of the start".into()
+    }
+}
+
+/// A film over a pass. All its frames belong together; one that is resumed finds them again, to the same bits.
+#[derive(Debug)]
+pub(super) struct BothWays {
+    pass: Pass,
+    /// Positions of each frame, |V|, once they are known.
+    frames: Vec<Vec<DVec3>>,
+}
+
+impl BothWays {
+    /// Of a sphere with these positions, |V|, if the film is one.
+    pub fn of(pace: Pace, mesh: &Mesh, positions: Option<&[DVec3]>) -> Result<Option<BothWays>, NoPass> {
+        let Pace::BothWays(OverAPass { lobes, stiffness }) = pace else { return Ok(None) };
+        if mesh.euler_characteristic() != 2 || mesh.components().len() != 1 {
+            return Err(NoPass::NoSphere);
+        }
+        let sphere = positions.ok_or(NoPass::NoPositions)?;
+        let at = |time: f64| Halfway { lobes, time }.of_sphere(sphere);
+        let aside = at(BESIDE).iter().zip(at(-BESIDE)).map(|(ahead, behind)| *ahead - behind).collect();
+        let exchange = SideExchange::of_sphere(sphere, lobes)?;
+        Ok(Some(BothWays { pass: Pass { halfway: at(0.0), aside, exchange, stiffness }, frames: Vec::new() }))
+    }
+
+    /// The frame with this number, from 1, once frames are known.
+    pub fn frame(&self, number: usize) -> Option<&[DVec3]> {
+        self.frames.get(number.checked_sub(1)?).map(Vec::as_slice)
+    }
+
+    /// Gives a state the frames of the surface that has this number.
+    pub fn show(&self, number: usize, state: &mut State) {
+        self.frame(number).into_iter().for_each(|places| state.set_positions(places));
+    }
+
+    /// Finds all frames, if they are not known yet; `time` is that of the one that is to be made.
+    pub fn find(
+        &mut self,
+        mesh: &Mesh,
+        metric: &Metric,
+        frames: usize,
+        time: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
+        if self.frames.is_empty() {
+            let found = self.pass.frames(mesh, metric, frames, &mut |step| observer.after_polish_step(step));
+            self.frames = found.map_err(|error| match error {
+                PassError::Stopped { steps } => EvolveError::Stopped { steps },
+                error => EvolveError::Pass { time, error },
+            })?;
+        }
+        Ok(())
+    }
+}
+
+/// The time of surfaces beside a halfway model that say which way leads off it.
+const BESIDE: f64 = 0.01;
