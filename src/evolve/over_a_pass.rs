@@ -1,35 +1,15 @@
 //! Films that begin in their middle: a halfway model, and the way down from it on either side.
 
 use super::error::EvolveError;
+use super::no_pass::NoPass;
 use super::pace::{OverAPass, Pace};
 use super::progress::Observer;
 use super::state::State;
-use crate::advice::Advice;
 use crate::immersion::Halfway;
 use crate::mesh::Mesh;
 use crate::metric::Metric;
-use crate::polish::{NoSymmetry, Pass, PassError, SideExchange};
+use crate::polish::{Pass, PassError, SideExchange};
 use glam::DVec3;
-
-/// Why a surface has no way over a pass.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum NoPass {
-    /// It is no sphere, or several.
-    #[error("a film of both ways is about one sphere, and this surface is none; {}", self.remedy())]
-    NoSphere,
-    /// It is known by its lengths alone.
-    #[error("a film of both ways is about a sphere around the origin, and the mesh has no positions; {}", self.remedy())]
-    NoPositions,
-    /// The halfway model has a symmetry that its mesh has not.
-    #[error("{}; {}", .0, self.remedy())]
-    Asymmetric(#[from] NoSymmetry),
-}
-
-impl Advice for NoPass {
-    fn remedy(&self) -> String {
-        "write shape = \"octasphere\" under [mesh], with `sides` twice the `lobes` of the start".into()
-    }
-}
 
 /// A film over a pass. All its frames belong together; one that is resumed finds them again, to the same bits.
 #[derive(Debug)]

@@ -1,0 +1,24 @@
+//! Why a surface cannot be the end of a film over a pass.
+
+use crate::advice::Advice;
+use crate::polish::NoSymmetry;
+
+/// Why a surface has no way over a pass.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum NoPass {
+    /// It is no sphere, or several.
+    #[error("a film of both ways is about one sphere, and this surface is none; {}", self.remedy())]
+    NoSphere,
+    /// It is known by its lengths alone.
+    #[error("a film of both ways is about a sphere around the origin, and the mesh has no positions; {}", self.remedy())]
+    NoPositions,
+    /// The halfway model has a symmetry that its mesh has not.
+    #[error("{}; {}", .0, self.remedy())]
+    Asymmetric(#[from] NoSymmetry),
+}
+
+impl Advice for NoPass {
+    fn remedy(&self) -> String {
+        "write shape = \"octasphere\" under [mesh], with `sides` twice the `lobes` of the start".into()
+    }
+}
