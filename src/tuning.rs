@@ -263,7 +263,7 @@ pub const STEP_OF_A_DESCENT: f64 = 0.04;
 /// What is left of a step in the next one. Newton's matrix without its indefinite part is stiffer than the shell.
 pub const MOMENTUM: f64 = 0.8;
 
-/// Steps of the way down, at most. That of `sphere_eversion` has some 400.
+/// Steps of the way down, at most. That of `sphere_eversion` has some 500.
 pub const MOST_STEPS_OF_A_DESCENT: usize = 2000;
 
 /// L2 length error from which on what is left is polish.

@@ -90,8 +90,8 @@ impl Mesh {
         split(py, surface)
     }
 
-    /// A generated shape by its name and parameters, those of `[mesh]` in scenes: `sphere`, `uv_sphere`, `flat_torus`,
-    /// `torus`, `cylinder`, `annulus`, `disk`, `hyperbolic_disk`, `polyhedron`, `implicit`.
+    /// A generated shape by its name and parameters, those of `[mesh]` in scenes: `sphere`, `uv_sphere`, `octasphere`,
+    /// `flat_torus`, `torus`, `cylinder`, `annulus`, `disk`, `hyperbolic_disk`, `polyhedron`, `implicit`.
     ///
     /// Returns
     /// -------
