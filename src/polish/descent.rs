@@ -1,130 +1,14 @@
 //! Newton steps while the shell gets softer.
 
 use super::energy::{Energy, Stiffness, mean_absolute};
-use super::local_search::Patches;
 use super::newton::NewtonSystem;
-use super::report::{Ending, PolishReport, mean_bending};
-use crate::immersion::{RigidMotion, length_error};
-use crate::mesh::{Mesh, VertexId};
-use crate::metric::Metric;
+use super::report::Ending;
+use super::settings::{Polish, PolishStep, Watch};
 use crate::tuning::{
-    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, GENTLE_POLISH, HALVINGS_OF_A_POLISH_STEP, IDLE_ROUNDS, ISOMETRIC,
-    LARGEST_HINGE_TURN, MAX_BENDING_GROWTH, NEAR_MOVE, POLISH_FADE, POLISH_GAIN, ROUND_GAIN, ROUND_STIFFNESS,
-    SOFTEST_POLISH, STEPS_PER_STIFFNESS,
+    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE,
+    POLISH_GAIN, ROUND_STIFFNESS, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
 };
 use glam::DVec3;
-use std::ops::ControlFlow;
-
-/// How a surface is polished.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Polish {
-    /// Weight of bending to begin with. A stiffer shell is smoothed first, and ends with less bending.
-    pub stiffness: f64,
-    /// Whether bending costs nothing, and the stiffness but holds the moves of neighbouring vertices together. That takes a
-    /// third of the time, and is right for surfaces that are smooth and rigid, as convex ones are.
-    pub is_membrane: bool,
-    /// What the weight of bending is multiplied with after every second step, where steps are not short.
-    pub fade: f64,
-    /// The weight below which the barrier does not fade. Hinges that have come to 180° but for rounding hold everything else up.
-    pub least_barrier: f64,
-    /// By which share the mean bending angle may grow.
-    pub max_bending_growth: f64,
-    /// The largest number of Newton steps.
-    pub max_steps: usize,
-    /// Rounds in which patches that hold most of the error are disturbed and polished alone, if it ends short of the lengths.
-    pub rounds: usize,
-}
-
-impl Default for Polish {
-    /// A shell of 10⁻⁴, one half, a fifth, 120 steps, no rounds.
-    fn default() -> Polish {
-        Polish {
-            stiffness: GENTLE_POLISH,
-            is_membrane: false,
-            fade: POLISH_FADE,
-            least_barrier: 0.0,
-            max_bending_growth: MAX_BENDING_GROWTH,
-            max_steps: 120,
-            rounds: 0,
-        }
-    }
-}
-
-/// A polished surface.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Polished {
-    /// Vertices, |V|, laid upon those that they were polished from, unless some are pinned.
-    pub positions: Vec<DVec3>,
-    /// What was done.
-    pub report: PolishReport,
-}
-
-/// What is told of every step, and may end polish there by [`ControlFlow::Break`].
-pub type Watch<'a> = dyn FnMut(&PolishStep) -> ControlFlow<()> + 'a;
-
-/// The state of polish after a step.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PolishStep {
-    /// Steps taken.
-    pub step: usize,
-    /// The most steps that it may take.
-    pub max_steps: usize,
-    /// L2 length error.
-    pub l2_length_error: f64,
-    /// Weight of bending.
-    pub stiffness: f64,
-}
-
-impl Polish {
-    /// Polishes a connected surface. `positions` has its vertices, |V|, without pinch points; `rest` the bending angles at rest
-    /// in radians, |E|, without any it is flat at rest. `pinned` vertices stay to the last bit. The result has no unit of its own,
-    /// and the same bits on any number of threads and any processor. Where a linear system cannot be solved, it ends with what it
-    /// has.
-    pub fn apply(
-        &self,
-        mesh: &Mesh,
-        metric: &Metric,
-        positions: &[DVec3],
-        rest: Option<&[f64]>,
-        pinned: &[VertexId],
-        watch: &mut Watch,
-    ) -> Polished {
-        let unit = metric.edge_lengths().iter().sum::<f64>() / metric.edge_lengths().len() as f64;
-        let energy = Energy::new(mesh, metric, rest, self.is_membrane, unit);
-        let mut is_pinned = vec![false; positions.len()];
-        pinned.iter().for_each(|v| is_pinned[v.index()] = true);
-        let begin: Vec<DVec3> = positions.iter().map(|p| *p / unit).collect();
-        let mut report = PolishReport::unchanged(mesh, metric, positions);
-        let Ok(mut system) = NewtonSystem::new(&energy, &is_pinned) else {
-            return Polished { positions: positions.to_vec(), report };
-        };
-        let mut descent = Descent::new(&energy, &mut system, begin, self);
-        report.ending = descent.run(watch);
-        let patches = Patches::new(&energy, &is_pinned);
-        let mut idle = 0;
-        for round in 0..self.rounds {
-            if report.ending != Ending::BestFit || idle == IDLE_ROUNDS {
-                break;
-            }
-            let before = descent.best_strain;
-            if let Some(next) = patches.round(&descent.best, round, self.least_barrier) {
-                report.ending = descent.go_on_from(next, watch);
-            }
-            idle += usize::from(descent.best_strain > (1.0 - ROUND_GAIN) * before);
-        }
-        let mut places: Vec<DVec3> = descent.best.iter().map(|p| *p * unit).collect();
-        if pinned.is_empty() {
-            let motion = RigidMotion::onto(positions, &places, &metric.vertex_areas(mesh));
-            places.iter_mut().for_each(|p| *p = motion.point(*p));
-        } else {
-            pinned.iter().for_each(|v| places[v.index()] = positions[v.index()]);
-        }
-        report.l2_length_error = length_error(mesh, metric, &places).l2;
-        report.mean_bending = mean_bending(mesh, &places).to_degrees();
-        report.steps = descent.steps;
-        Polished { positions: places, report }
-    }
-}
 
 /// The surface on its way.
 pub(super) struct Descent<'a> {
@@ -134,7 +18,8 @@ pub(super) struct Descent<'a> {
     angles: Vec<f64>,
     /// Weight of bending, as it fades.
     stiffness: f64,
-    steps: usize,
+    /// Taken so far.
+    pub steps: usize,
     polish: &'a Polish,
     /// Mean bending angle at the beginning, in radians.
     bending_before: f64,
@@ -231,7 +116,7 @@ impl<'a> Descent<'a> {
     }
 
     /// Goes on from other positions, with a shell that is soft already.
-    fn go_on_from(&mut self, positions: Vec<DVec3>, watch: &mut Watch) -> Ending {
+    pub fn go_on_from(&mut self, positions: Vec<DVec3>, watch: &mut Watch) -> Ending {
         self.angles = self.energy.angles(&positions);
         self.positions = positions;
         self.stiffness = ROUND_STIFFNESS;

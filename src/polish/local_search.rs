@@ -2,9 +2,10 @@
 //! shapes to lengths. A patch is disturbed and polished alone, all around it held, many times over; where that ends with less
 //! strain, it is put back.
 
-use super::descent::{Descent, Polish};
+use super::descent::Descent;
 use super::energy::Energy;
 use super::newton::NewtonSystem;
+use super::settings::Polish;
 use crate::tuning::{
     DISTURBANCE, DISTURBED_RINGS, FACE_AREA_LEFT, LARGEST_HINGE_TURN, RINGS_OF_A_TRY, SHARE_OF_A_TRY, STEPS_OF_A_TRY,
     STIFFNESS_OF_A_TRY, TRIES,

@@ -11,6 +11,7 @@
 //! near to either are shortened. So the surface moves by a regular homotopy, and its class stays. Where this ends short of the
 //! lengths, patches that hold the error may be searched for better fits.
 
+mod apply;
 mod barrier;
 mod descent;
 mod energy;
@@ -19,9 +20,10 @@ mod local_search;
 mod newton;
 mod pass;
 mod report;
+mod settings;
 #[cfg(test)]
 mod tests;
 
-pub use descent::{Polish, PolishStep, Polished, Watch};
 pub use pass::{NoSymmetry, Pass, PassError, SideExchange};
 pub use report::{Ending, PolishReport, mean_bending};
+pub use settings::{Polish, PolishStep, Polished, Watch};

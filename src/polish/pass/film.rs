@@ -7,9 +7,9 @@ use super::way::Way;
 use crate::immersion::enclosed_volume;
 use crate::mesh::Mesh;
 use crate::metric::Metric;
-use crate::polish::descent::{Polish, Watch};
 use crate::polish::energy::Energy;
 use crate::polish::newton::NewtonSystem;
+use crate::polish::settings::{Polish, Watch};
 use crate::tuning::MEMBRANE_HOLD;
 use glam::DVec3;
 

@@ -1,9 +1,9 @@
 //! Steps of a thin shell downhill, none of which folds a hinge over or crushes a face.
 
 use super::error::PassError;
-use crate::polish::descent::{PolishStep, Watch};
 use crate::polish::energy::{Energy, Stiffness};
 use crate::polish::newton::{Drag, NewtonSystem};
+use crate::polish::settings::{PolishStep, Watch};
 use crate::tuning::{FACE_AREA_LEFT, GENTLE_HINGE_TURN, HALVINGS_OF_A_POLISH_STEP};
 use glam::DVec3;
 
