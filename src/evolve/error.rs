@@ -295,7 +295,7 @@ impl Advice for EvolveError {
             EvolveError::Pin(error) => error.remedy(),
             EvolveError::Bending(error) => error.remedy(),
             EvolveError::Shell(error) => error.remedy(),
-            EvolveError::Pass { .. } => "raise `bending_stiffness`, or use a finer mesh".into(),
+            EvolveError::Pass { .. } => "use a finer mesh, or change `bending_stiffness`: what is too stiff for its mesh locks, what is too soft does not leave the pass".into(),
             EvolveError::Poisson { .. } => EVEN_OUT.into(),
             EvolveError::StarChanged { .. } => "lower `max_strain` of the clock, or use better triangles there".into(),
             EvolveError::ClassChanged { .. } => "lower `max_strain` of the clock, or use better triangles".into(),
