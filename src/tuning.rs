@@ -132,6 +132,9 @@ pub const LARGEST_HINGE_TURN: f64 = 1.5;
 /// By which share polish may make the mean bending angle grow, where nothing else is asked for.
 pub const MAX_BENDING_GROWTH: f64 = 0.2;
 
+/// The part of what the slope promises that a step of polish must keep (Armijo).
+pub const ARMIJO: f64 = 1e-4;
+
 /// How often a step of polish is halved before it is given up.
 pub const HALVINGS_OF_A_POLISH_STEP: usize = 20;
 

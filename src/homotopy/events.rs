@@ -21,7 +21,7 @@ impl Element {
     /// The vertices a, b, c, d of the hinge with faces (a, b, c) and (b, a, d), or a, b, c of the face.
     pub fn vertices(self, mesh: &Mesh) -> Vec<VertexId> {
         match self {
-            Element::Hinge(edge) => hinge(mesh, edge).map(Vec::from).unwrap_or_default(),
+            Element::Hinge(edge) => mesh.hinge_vertices(edge).map(Vec::from).unwrap_or_default(),
             Element::Face(face) => mesh.corners(face).into(),
         }
     }
@@ -61,8 +61,7 @@ const TASK: usize = 4096;
 pub fn events_between(mesh: &Mesh, from: &[DVec3], to: &[DVec3]) -> Vec<Event> {
     let moving = |v: VertexId| [from[v.index()], to[v.index()]];
     let of_hinge = |edge: EdgeId| {
-        let vertices = hinge(mesh, edge)?;
-        let places = vertices.map(moving);
+        let places = mesh.hinge_vertices(edge)?.map(moving);
         if does_not_fold(places) {
             return None;
         }
@@ -94,10 +93,4 @@ fn events(element: Element, roots: Vec<Root>, places: &[[DVec3; 2]]) -> Vec<Even
         Event { element, time, lasts, place, sides }
     };
     roots.into_iter().map(event).collect()
-}
-
-/// The vertices of a hinge; none at the boundary.
-fn hinge(mesh: &Mesh, edge: EdgeId) -> Option<[VertexId; 4]> {
-    let [h, twin] = mesh.edge_sides(edge)?;
-    Some([mesh.tail(h), mesh.tip(h), mesh.tip(h.next()), mesh.tip(twin.next())])
 }

@@ -208,6 +208,12 @@ impl Mesh {
         let h = self.edge_halfedge(e);
         self.twin(h).map(|twin| [h, twin])
     }
+    /// The four vertices around an interior edge: its tail and tip, the corner across from it, and the one across from the twin.
+    /// Its faces are (a, b, c) and (b, a, d). `None` on the boundary.
+    pub fn hinge_vertices(&self, e: EdgeId) -> Option<[VertexId; 4]> {
+        let [h, twin] = self.edge_sides(e)?;
+        Some([self.tail(h), self.tip(h), self.tip(h.next()), self.tip(twin.next())])
+    }
     /// The one or two halfedges of an edge, the one that names it first.
     pub fn halfedges_of(&self, e: EdgeId) -> impl Iterator<Item = HalfedgeId> + use<> {
         let h = self.edge_halfedge(e);

@@ -81,6 +81,10 @@ impl Metric {
     pub fn edge_lengths(&self) -> &[f64] {
         &self.edge_lengths
     }
+    /// Mean of all lengths.
+    pub fn mean_edge_length(&self) -> f64 {
+        self.edge_lengths.iter().sum::<f64>() / self.edge_lengths.len() as f64
+    }
     /// Angle in radians at corner `k` of a face, the tail of its halfedge `k`.
     #[inline]
     pub fn corner_angle(&self, f: FaceId, k: usize) -> f64 {

@@ -26,7 +26,7 @@ impl Polish {
         pinned: &[VertexId],
         watch: &mut Watch,
     ) -> Polished {
-        let unit = metric.edge_lengths().iter().sum::<f64>() / metric.edge_lengths().len() as f64;
+        let unit = metric.mean_edge_length();
         let energy = Energy::new(mesh, metric, rest, self.is_membrane, unit);
         let mut is_pinned = vec![false; positions.len()];
         pinned.iter().for_each(|v| is_pinned[v.index()] = true);
@@ -37,14 +37,15 @@ impl Polish {
         };
         let mut descent = Descent::new(&energy, &mut system, begin, self);
         report.ending = descent.run(watch);
-        let patches = Patches::new(&energy, &is_pinned);
+        let patches = (self.rounds > 0).then(|| Patches::new(&energy, &is_pinned));
         let mut idle = 0;
         for round in 0..self.rounds {
             if report.ending != Ending::BestFit || idle == IDLE_ROUNDS {
                 break;
             }
             let before = descent.best_strain;
-            if let Some(next) = patches.round(&descent.best, round, self.least_barrier) {
+            let next = patches.as_ref().and_then(|all| all.round(&descent.best, round, self.least_barrier));
+            if let Some(next) = next {
                 report.ending = descent.go_on_from(next, watch);
             }
             idle += usize::from(descent.best_strain > (1.0 - ROUND_GAIN) * before);

@@ -5,8 +5,8 @@ use super::newton::NewtonSystem;
 use super::report::Ending;
 use super::settings::{Polish, PolishStep, Watch};
 use crate::tuning::{
-    FACE_AREA_LEFT, FAR_MOVE, FAST_FADES, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE,
-    POLISH_GAIN, ROUND_STIFFNESS, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
+    ARMIJO, FAR_MOVE, FAST_FADES, HALVINGS_OF_A_POLISH_STEP, ISOMETRIC, LARGEST_HINGE_TURN, NEAR_MOVE, POLISH_GAIN,
+    ROUND_STIFFNESS, SOFTEST_POLISH, STEPS_PER_STIFFNESS,
 };
 use glam::DVec3;
 
@@ -133,9 +133,8 @@ impl<'a> Descent<'a> {
         for _ in 0..=HALVINGS_OF_A_POLISH_STEP {
             let next: Vec<DVec3> = self.positions.iter().zip(&direction.moves).map(|(p, x)| *p + *x * share).collect();
             let next_angles = self.energy.angles(&next);
-            // An angle that passes 180° jumps by a full turn.
-            let turns = next_angles.iter().zip(&self.angles).all(|(a, b)| (a - b).abs() <= LARGEST_HINGE_TURN);
-            if turns && self.energy.keeps_areas(&self.positions, &next, FACE_AREA_LEFT) {
+            let (from, to) = ((&*self.positions, &*self.angles), (&*next, &*next_angles));
+            if self.energy.is_regular(from, to, LARGEST_HINGE_TURN) {
                 let after = self.energy.value(&next, &next_angles, weights);
                 if after <= before - ARMIJO * share * direction.slope {
                     let longest = direction.moves.iter().map(|x| x.length()).fold(0.0, f64::max);
@@ -149,8 +148,6 @@ impl<'a> Descent<'a> {
     }
 }
 
-/// The part of what the slope promises that a step must keep.
-const ARMIJO: f64 = 1e-4;
 /// Steps over which the strain must get better.
 const PATIENCE: usize = 8;
 /// Bending that costs less than this share of what strain costs does not hold it back.

@@ -5,7 +5,7 @@ use super::hinge::{Hinge, hinges};
 use crate::algebra::inner_product;
 use crate::mesh::{EdgeId, Mesh, VertexId};
 use crate::metric::Metric;
-use crate::tuning::{BARRIER_WEIGHT, LEAST_AREA};
+use crate::tuning::{BARRIER_WEIGHT, FACE_AREA_LEFT, LEAST_AREA};
 use glam::DVec3;
 use rayon::prelude::*;
 
@@ -135,8 +135,15 @@ impl Energy {
         strain + inner_product(&costs, &costs, |cost, _| cost) + crushed
     }
 
-    /// Whether every face keeps at least this share of the area that its lengths ask for, or half of what it has now.
-    pub fn keeps_areas(&self, before: &[DVec3], positions: &[DVec3], least: f64) -> bool {
+    /// Whether a move from some positions with these bending angles to others folds no hinge over and crushes no face: no hinge turns
+    /// by more than `most_turn`, in radians, since an angle that passes 180° jumps by a full turn.
+    pub fn is_regular(&self, from: (&[DVec3], &[f64]), to: (&[DVec3], &[f64]), most_turn: f64) -> bool {
+        let turns_little = to.1.iter().zip(from.1).all(|(a, b)| (a - b).abs() <= most_turn);
+        turns_little && self.keeps_areas(from.0, to.0)
+    }
+
+    /// Whether every face keeps at least a share of the area that its lengths ask for, or half of what it has now.
+    fn keeps_areas(&self, before: &[DVec3], positions: &[DVec3]) -> bool {
         let area = |places: &[DVec3], face: &[u32; 3]| {
             let [a, b, c] = face.map(|v| places[v as usize]);
             0.5 * (b - a).cross(c - a).length()
@@ -144,7 +151,7 @@ impl Energy {
         let faces = self.faces.par_iter().with_min_len(TASK).zip(&self.areas);
         faces.all(|(face, asked)| {
             let now = area(positions, face);
-            now >= least * asked || now >= 0.5 * area(before, face)
+            now >= FACE_AREA_LEFT * asked || now >= 0.5 * area(before, face)
         })
     }
 }

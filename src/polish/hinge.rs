@@ -7,7 +7,7 @@ use glam::DVec3;
 /// An inner edge with the four vertices around it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hinge {
-    /// The ends of the edge, tail and tip of its halfedge; the vertex across from it, and the one across from the twin.
+    /// Those of [`Mesh::hinge_vertices`].
     pub corners: [usize; 4],
     /// What a bending angle costs: the length of the edge over that of its dual.
     pub weight: f64,
@@ -27,8 +27,7 @@ pub(super) struct Bend {
 /// All inner edges, in order.
 pub(super) fn hinges(mesh: &Mesh, metric: &Metric) -> Vec<Hinge> {
     let hinge = |e| {
-        let [h, twin] = mesh.edge_sides(e)?;
-        let corners = [mesh.tail(h), mesh.tip(h), mesh.tip(h.next()), mesh.tip(twin.next())].map(|v| v.index());
+        let corners = mesh.hinge_vertices(e)?.map(|v| v.index());
         Some(Hinge { corners, weight: metric.dual_weight(e), edge: e.index() })
     };
     mesh.edges().filter_map(hinge).collect()

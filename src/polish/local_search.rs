@@ -7,7 +7,7 @@ use super::energy::Energy;
 use super::newton::NewtonSystem;
 use super::settings::Polish;
 use crate::tuning::{
-    DISTURBANCE, DISTURBED_RINGS, FACE_AREA_LEFT, LARGEST_HINGE_TURN, RINGS_OF_A_TRY, SHARE_OF_A_TRY, STEPS_OF_A_TRY,
+    DISTURBANCE, DISTURBED_RINGS, LARGEST_HINGE_TURN, RINGS_OF_A_TRY, SHARE_OF_A_TRY, STEPS_OF_A_TRY,
     STIFFNESS_OF_A_TRY, TRIES,
 };
 use glam::DVec3;
@@ -176,8 +176,8 @@ fn disturbed(energy: &Energy, positions: &[DVec3], way: &[DVec3]) -> Option<Vec<
     let angles = energy.angles(positions);
     [1.0, 0.5, 0.25, 0.125].into_iter().find_map(|share| {
         let next: Vec<DVec3> = positions.iter().zip(way).map(|(p, x)| *p + *x * share).collect();
-        let turns = energy.angles(&next).iter().zip(&angles).all(|(a, b)| (a - b).abs() <= LARGEST_HINGE_TURN);
-        (turns && energy.keeps_areas(positions, &next, FACE_AREA_LEFT)).then_some(next)
+        let is_regular = energy.is_regular((positions, &angles), (&next, &energy.angles(&next)), LARGEST_HINGE_TURN);
+        is_regular.then_some(next)
     })
 }
 

@@ -21,6 +21,12 @@ pub(super) struct NewtonSystem {
     hinge_pairs: Vec<[Option<Coupling>; 6]>,
     /// Per face: those of its corners, (1, 0), (2, 0), (2, 1).
     face_pairs: Vec<[Option<Coupling>; 3]>,
+    sums: Sums,
+}
+
+/// The numbers of the system.
+#[derive(Debug)]
+struct Sums {
     diagonal: Vec<DMat3>,
     pairs: Vec<DMat3>,
     gradient: Vec<DVec3>,
@@ -81,9 +87,11 @@ impl NewtonSystem {
             edge_pairs,
             hinge_pairs,
             face_pairs,
-            diagonal: vec![DMat3::ZERO; count],
-            pairs: vec![DMat3::ZERO; pairs.len()],
-            gradient: vec![DVec3::ZERO; count],
+            sums: Sums {
+                diagonal: vec![DMat3::ZERO; count],
+                pairs: vec![DMat3::ZERO; pairs.len()],
+                gradient: vec![DVec3::ZERO; count],
+            },
         })
     }
 
@@ -95,34 +103,35 @@ impl NewtonSystem {
         stiffness: Stiffness,
         drag: Option<&Drag>,
     ) -> Result<Direction, CholeskyError> {
-        self.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
-        self.pairs.fill(DMat3::ZERO);
-        self.gradient.fill(DVec3::ZERO);
+        self.sums.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
+        self.sums.pairs.fill(DMat3::ZERO);
+        self.sums.gradient.fill(DVec3::ZERO);
         self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.bending } else { 0.0 });
         self.add_bending(energy, positions, stiffness);
         if energy.holds_areas {
             self.add_crushes(energy, positions);
         }
         drag.into_iter().for_each(|drag| self.add_drag(drag));
-        self.factor.factorize(&self.diagonal, &self.pairs)?;
-        let mut x: Vec<DVec3> = self.gradient.iter().map(|g| -*g).collect();
+        self.factor.factorize(&self.sums.diagonal, &self.sums.pairs)?;
+        let mut x: Vec<DVec3> = self.sums.gradient.iter().map(|g| -*g).collect();
         self.factor.solve(&mut x);
-        let slope = self.gradient.iter().zip(&x).map(|(g, x)| -g.dot(*x)).sum();
+        let slope = self.sums.gradient.iter().zip(&x).map(|(g, x)| -g.dot(*x)).sum();
         let moves = self.unknowns.iter().map(|unknown| unknown.map_or(DVec3::ZERO, |row| x[row])).collect();
         Ok(Direction { moves, slope })
     }
 
     /// How fast the energy falls along other moves, |V|, from where the last direction was asked for.
     pub fn slope_along(&self, moves: &[DVec3]) -> f64 {
-        let slope = |(unknown, x): (&Option<usize>, &DVec3)| unknown.map_or(0.0, |row| -self.gradient[row].dot(*x));
+        let slope =
+            |(unknown, x): (&Option<usize>, &DVec3)| unknown.map_or(0.0, |row| -self.sums.gradient[row].dot(*x));
         self.unknowns.iter().zip(moves).map(slope).sum()
     }
 
     fn add_drag(&mut self, drag: &Drag) {
         for (v, unknown) in self.unknowns.iter().enumerate() {
             if let Some(row) = *unknown {
-                self.diagonal[row] += DMat3::from_diagonal(DVec3::splat(drag.drag * drag.masses[v]));
-                self.gradient[row] -= drag.push.get(v).copied().unwrap_or_default();
+                self.sums.diagonal[row] += DMat3::from_diagonal(DVec3::splat(drag.drag * drag.masses[v]));
+                self.sums.gradient[row] -= drag.push.get(v).copied().unwrap_or_default();
             }
         }
     }
@@ -131,18 +140,8 @@ impl NewtonSystem {
     fn add_crushes(&mut self, energy: &Energy, positions: &[DVec3]) {
         for (crush, couplings) in energy.crushes(positions).iter().zip(&self.face_pairs) {
             let Some(Crush { jet, corners, gradient }) = crush else { continue };
-            for (v, gradient) in corners.iter().zip(gradient) {
-                if let Some(row) = self.unknowns[*v] {
-                    self.diagonal[row] += outer(*gradient, *gradient) * jet.second;
-                    self.gradient[row] += *gradient * jet.first;
-                }
-            }
-            for ((i, j), coupling) in FACE_PAIRS.into_iter().zip(couplings) {
-                if let Some(Coupling { pair, is_swapped }) = *coupling {
-                    let [row, column] = if is_swapped { [j, i] } else { [i, j] };
-                    self.pairs[pair] += outer(gradient[row], gradient[column]) * jet.second;
-                }
-            }
+            let rows = corners.map(|v| self.unknowns[v]);
+            self.sums.add(&rows, gradient, FACE_PAIRS.iter().zip(couplings), [jet.first, jet.second]);
         }
     }
 
@@ -160,12 +159,12 @@ impl NewtonSystem {
             let force = u * (strain / asked);
             for (v, sign) in [(*a, -1.0), (*b, 1.0)] {
                 if let Some(row) = self.unknowns[v] {
-                    self.diagonal[row] += block;
-                    self.gradient[row] += sign * force;
+                    self.sums.diagonal[row] += block;
+                    self.sums.gradient[row] += sign * force;
                 }
             }
             if let Some(coupling) = coupling {
-                self.pairs[coupling.pair] -= block;
+                self.sums.pairs[coupling.pair] -= block;
             }
         }
     }
@@ -180,17 +179,31 @@ impl NewtonSystem {
             let against_fold = stiffness.barrier * BARRIER_WEIGHT;
             let torque = hinge.weight * (stiffness.bending * (bend.angle - rest) + against_fold * barrier.first);
             let curvature = hinge.weight * (stiffness.bending + against_fold * barrier.second);
-            for (v, gradient) in hinge.corners.iter().zip(bend.gradient) {
-                if let Some(row) = self.unknowns[*v] {
-                    self.diagonal[row] += outer(gradient, gradient) * curvature;
-                    self.gradient[row] += gradient * torque;
-                }
+            let rows = hinge.corners.map(|v| self.unknowns[v]);
+            self.sums.add(&rows, &bend.gradient, CORNER_PAIRS.iter().zip(couplings), [torque, curvature]);
+        }
+    }
+}
+
+impl Sums {
+    /// Adds what some corners have to do with a cost, whose gradient by their places is given: f′ ∇ and f″ ∇ ∇ᵀ.
+    fn add<'a>(
+        &mut self,
+        rows: &[Option<usize>],
+        gradient: &[DVec3],
+        couplings: impl Iterator<Item = (&'a (usize, usize), &'a Option<Coupling>)>,
+        [first, second]: [f64; 2],
+    ) {
+        for (row, gradient) in rows.iter().zip(gradient) {
+            if let Some(row) = *row {
+                self.diagonal[row] += outer(*gradient, *gradient) * second;
+                self.gradient[row] += *gradient * first;
             }
-            for ((i, j), coupling) in CORNER_PAIRS.into_iter().zip(couplings) {
-                if let Some(Coupling { pair, is_swapped }) = *coupling {
-                    let [row, column] = if is_swapped { [j, i] } else { [i, j] };
-                    self.pairs[pair] += outer(bend.gradient[row], bend.gradient[column]) * curvature;
-                }
+        }
+        for ((i, j), coupling) in couplings {
+            if let Some(Coupling { pair, is_swapped }) = *coupling {
+                let [row, column] = if is_swapped { [*j, *i] } else { [*i, *j] };
+                self.pairs[pair] += outer(gradient[row], gradient[column]) * second;
             }
         }
     }

@@ -26,7 +26,7 @@ impl Pass {
         frames: usize,
         watch: &mut Watch,
     ) -> Result<Vec<Vec<DVec3>>, PassError> {
-        let unit = metric.edge_lengths().iter().sum::<f64>() / metric.edge_lengths().len() as f64;
+        let unit = metric.mean_edge_length();
         let energy = Energy::new(mesh, metric, None, false, unit).with_uncrushed_faces();
         let system = NewtonSystem::new(&energy, &vec![false; mesh.vertex_count()])?;
         let masses: Vec<f64> = metric.vertex_areas(mesh).iter().map(|area| area / (unit * unit)).collect();

@@ -4,7 +4,7 @@ use super::error::PassError;
 use crate::polish::energy::{Energy, Stiffness};
 use crate::polish::newton::{Drag, NewtonSystem};
 use crate::polish::settings::{PolishStep, Watch};
-use crate::tuning::{FACE_AREA_LEFT, GENTLE_HINGE_TURN, HALVINGS_OF_A_POLISH_STEP};
+use crate::tuning::{ARMIJO, GENTLE_HINGE_TURN, HALVINGS_OF_A_POLISH_STEP};
 use glam::DVec3;
 
 /// A shell that moves downhill.
@@ -45,6 +45,10 @@ pub(super) struct Taken {
 impl Shape {
     pub fn new(energy: &Energy, positions: Vec<DVec3>) -> Shape {
         Shape { angles: energy.angles(&positions), positions }
+    }
+
+    fn parts(&self) -> (&[DVec3], &[f64]) {
+        (&self.positions, &self.angles)
     }
 }
 
@@ -98,9 +102,7 @@ impl<'a, 'b> Flow<'a, 'b> {
             let mut next: Vec<DVec3> = shape.positions.iter().zip(&moves).map(|(p, x)| *p + *x * share).collect();
             symmetric(&mut next);
             let next = Shape::new(energy, next);
-            let turns = next.angles.iter().zip(&shape.angles).all(|(a, b)| (a - b).abs() <= GENTLE_HINGE_TURN);
-            if turns
-                && energy.keeps_areas(&shape.positions, &next.positions, FACE_AREA_LEFT)
+            if energy.is_regular(shape.parts(), next.parts(), GENTLE_HINGE_TURN)
                 && height(&next) <= before - ARMIJO * share * slope
             {
                 *shape = next;
@@ -124,7 +126,5 @@ impl<'a, 'b> Flow<'a, 'b> {
     }
 }
 
-/// The part of what the slope promises that a step must keep.
-const ARMIJO: f64 = 1e-4;
 /// The part of its slope that momentum must leave to a step.
 const LEAST_SLOPE: f64 = 0.3;
