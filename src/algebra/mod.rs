@@ -3,23 +3,18 @@
 pub mod quaternion;
 
 mod block;
-mod block_cholesky;
 mod block_sparse;
 mod cholesky;
 mod complex;
 mod conjugate_gradient;
 mod incomplete_cholesky;
 mod inner_product;
-mod panels;
 mod principal_axes;
-mod products;
 mod strips;
-mod supernodes;
 
 pub use block::Block;
-pub use block_cholesky::BlockCholesky;
 pub use block_sparse::{BlockMatrix, BlockVector, PairBlocks};
-pub use cholesky::{CholeskyError, Entry, SparseCholesky};
+pub use cholesky::{BlockCholesky, CholeskyError, Entry, SparseCholesky};
 pub use complex::Complex;
 pub use conjugate_gradient::{ConjugateGradient, SolveReport};
 pub use incomplete_cholesky::IncompleteCholesky;

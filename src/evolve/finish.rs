@@ -10,8 +10,8 @@ use crate::immersion::{RigidMotion, bending_angles, is_convex, pinch_points, rim
 use crate::mesh::VertexId;
 use crate::polish::{Ending, Polish, PolishReport, Polished, Watch};
 use crate::tuning::{
-    ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, GOOD_FIT, LEAST_BARRIER, MEMBRANE_HOLD, NEAR_POLISH, REHEATING,
-    ROUND_STIFFNESS, ROUNDS, STEPS_OF_NEAR_POLISH, STIFF_POLISH,
+    ACCURATE_POLISH, FIRM_POLISH, GENTLE_POLISH, GOOD_FIT, LEAST_BARRIER, MEMBRANE_HOLD, NEAR_ENOUGH, NEAR_POLISH,
+    REHEATING, ROUND_STIFFNESS, ROUNDS, STIFF_NEAR_POLISH, STIFF_POLISH,
 };
 use glam::{DQuat, DVec3};
 
@@ -99,11 +99,13 @@ pub(super) fn finish(
             polished.positions.iter_mut().for_each(|p| *p = motion.point(*p));
         }
         state.component().vertices.put(&polished.positions, &mut positions);
-        let own_frames = match polished.report.ending {
-            Ending::Unchanged => state.face_frames().to_vec(),
-            _ => rimless_frames(state.mesh(), state.metric(), state.shell(), &polished.positions),
-        };
-        state.component().faces.put(&own_frames, &mut face_frames);
+        if reach != Reach::Near {
+            let own_frames = match polished.report.ending {
+                Ending::Unchanged => state.face_frames().to_vec(),
+                _ => rimless_frames(state.mesh(), state.metric(), state.shell(), &polished.positions),
+            };
+            state.component().faces.put(&own_frames, &mut face_frames);
+        }
         reports.push(polished.report);
     }
     let face_frames = (reach != Reach::Near).then_some(face_frames);
@@ -138,7 +140,7 @@ fn polished(
     };
     let mut best = unchanged();
     let before = best.report;
-    for Attempt { polish, goes_on, enough } in attempts(relaxation, reach, rest.is_some()) {
+    for Attempt { polish, goes_on, enough } in attempts(relaxation, reach, rest.is_some(), before.l2_length_error) {
         if best.report.l2_length_error <= enough {
             break;
         }
@@ -171,8 +173,8 @@ struct Attempt {
     enough: f64,
 }
 
-/// The ways that polish tries on a component, one after another.
-fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attempt> {
+/// The ways that polish tries on a component with such an error, one after another.
+fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool, error: f64) -> Vec<Attempt> {
     let state = relaxation.state();
     let usual = Polish::default();
     let of = |polish| Attempt { polish, goes_on: false, enough: ACCURATE_POLISH };
@@ -182,8 +184,11 @@ fn attempts(relaxation: &Relaxation, reach: Reach, has_rest: bool) -> Vec<Attemp
     }
     match reach {
         Reach::Near => {
-            let (stiffness, fade) = NEAR_POLISH;
-            all.push(of(Polish { stiffness, fade, max_steps: STEPS_OF_NEAR_POLISH, ..usual }));
+            let (hold, fade, max_steps) = NEAR_POLISH;
+            all.push(of(Polish { stiffness: hold, is_membrane: true, fade, max_steps, ..usual }));
+            let (stiffness, fade, max_steps) = STIFF_NEAR_POLISH;
+            let enough = NEAR_ENOUGH * error;
+            all.push(Attempt { enough, ..of(Polish { stiffness, fade, max_steps, ..usual }) });
         }
         Reach::Far | Reach::Alone if has_rest => all.push(of(Polish { stiffness: GENTLE_POLISH, ..usual })),
         Reach::Far | Reach::Alone if state.betti() == 0 => all.push(of(Polish { stiffness: FIRM_POLISH, ..usual })),

@@ -17,6 +17,8 @@ pub(super) struct Energy {
     /// Per edge: the length that is asked for.
     pub lengths: Vec<f64>,
     pub hinges: Vec<Hinge>,
+    /// Whether bending costs nothing. Hinges are watched all the same.
+    pub is_membrane: bool,
     /// Per hinge: the angle at rest, in radians.
     pub rest: Vec<f64>,
     /// Per face: its corners.
@@ -44,10 +46,10 @@ impl Stiffness {
 }
 
 impl Energy {
-    /// `rest` holds the angles at rest in radians, |E|; without any the shell is flat at rest. A membrane has no hinges. `unit`
-    /// is the mean edge length.
+    /// `rest` holds the angles at rest in radians, |E|; without any the shell is flat at rest. `unit` is the mean edge
+    /// length.
     pub fn new(mesh: &Mesh, metric: &Metric, rest: Option<&[f64]>, is_membrane: bool, unit: f64) -> Energy {
-        let hinges = if is_membrane { Vec::new() } else { hinges(mesh, metric) };
+        let hinges = hinges(mesh, metric);
         Energy {
             ends: mesh.edges().map(|e| mesh.edge_vertices(e).map(VertexId::index)).collect(),
             lengths: mesh.edges().map(|e: EdgeId| metric.length(e) / unit).collect(),
@@ -55,6 +57,7 @@ impl Energy {
             faces: mesh.triangles(),
             areas: metric.face_areas().iter().map(|area| area / (unit * unit)).collect(),
             holds_areas: false,
+            is_membrane,
             hinges,
         }
     }
@@ -78,6 +81,7 @@ impl Energy {
             faces: faces.iter().map(|f| self.faces[*f].map(|v| own(v as usize) as u32)).collect(),
             areas: faces.iter().map(|f| self.areas[*f]).collect(),
             holds_areas: self.holds_areas,
+            is_membrane: self.is_membrane,
         }
     }
 
@@ -118,7 +122,8 @@ impl Energy {
     pub fn value(&self, positions: &[DVec3], angles: &[f64], stiffness: Stiffness) -> f64 {
         let strains = self.strains(positions);
         let strain = 0.5 * inner_product(&strains, &strains, |a, b| a * b);
-        let hinges = self.hinges.par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
+        let costly = if self.is_membrane { &[][..] } else { &*self.hinges };
+        let hinges = costly.par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
         let costs: Vec<f64> = hinges
             .map(|((hinge, rest), angle)| {
                 let off = angle - rest;

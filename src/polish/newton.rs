@@ -76,7 +76,8 @@ impl NewtonSystem {
             Some(Coupling { pair, is_swapped: a < b })
         };
         let edge_pairs = energy.ends.iter().map(|[a, b]| couple(*a, *b)).collect();
-        let hinge_pairs = energy.hinges.iter().map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j])));
+        let costly = if energy.is_membrane { &[][..] } else { &*energy.hinges };
+        let hinge_pairs = costly.iter().map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j])));
         let hinge_pairs = hinge_pairs.collect();
         // They are edges, and so coupled already.
         let face_pairs = energy.faces.iter().map(|f| FACE_PAIRS.map(|(i, j)| couple(f[i] as usize, f[j] as usize)));
@@ -106,8 +107,10 @@ impl NewtonSystem {
         self.sums.diagonal.fill(DMat3::from_diagonal(DVec3::splat(POLISH_ANCHOR)));
         self.sums.pairs.fill(DMat3::ZERO);
         self.sums.gradient.fill(DVec3::ZERO);
-        self.add_strain(energy, positions, if energy.hinges.is_empty() { stiffness.bending } else { 0.0 });
-        self.add_bending(energy, positions, stiffness);
+        self.add_strain(energy, positions, if energy.is_membrane { stiffness.bending } else { 0.0 });
+        if !energy.is_membrane {
+            self.add_bending(energy, positions, stiffness);
+        }
         if energy.holds_areas {
             self.add_crushes(energy, positions);
         }

@@ -21,7 +21,7 @@ use std::sync::Arc;
 
 /// Counts the ways in which frames have been computed. Whoever changes results raises it, so that no film goes on with
 /// frames of another way; a test compares small films with what they were.
-pub const ALGORITHM: u32 = 3;
+pub const ALGORITHM: u32 = 4;
 
 /// The key of every frame of a film, in order; `origin` stands for what they all depend on.
 pub(in crate::evolve) fn keys_of(origin: Key, clock: &Clock, ahead: &mut LookAhead) -> Result<Vec<Key>, EvolveError> {

@@ -1,1 +1,2 @@
+mod direct;
 mod linear_algebra;

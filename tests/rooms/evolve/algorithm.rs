@@ -6,8 +6,8 @@ use immerse::evolve::{ALGORITHM, Unobserved};
 use std::path::Path;
 
 /// Small films of each kind: from random frames on a surface with handles, of the relaxation, of a flow, with pins and bending, in
-/// a loop, of every class.
-const FILMS: [&str; 6] = [
+/// a loop, of every class, polished on every frame.
+const FILMS: [&str; 7] = [
     "[mesh]\nshape = 'torus'\ncolumns = 16\nrows = 8\n[start]\nrandom = 1\n",
     "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[clock]\nframes = 3\nsteps_per_frame = 4\n",
     "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[start]\nfrom = 'mesh'\nformula = ['1.3*x', 'y', 'z']\n[metric]\npositions = ['1.3*x', 'y', 'z']\n\
@@ -18,10 +18,12 @@ const FILMS: [&str; 6] = [
     "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[[metric.change]]\nkind = 'conformal'\nlog_scale = '0.1*z*cos(2*PI*t)'\n\
      [clock]\nframes = 4\nloop = true\n",
     "[mesh]\nshape = 'torus'\ncolumns = 16\nrows = 8\n[spin]\nclass = 'all'\n",
+    "[mesh]\nshape = 'sphere'\nsubdivisions = 3\n[start]\nfrom = 'mesh'\n[[metric.change]]\nkind = 'conformal'\nlog_scale = '0.2*z*x*t'\n\
+     [clock]\nframes = 3\n[polish]\nenabled = true\n",
 ];
 
 /// [`ALGORITHM`], and a key of what these films are with it.
-const KNOWN: (u32, &str) = (3, "f1d8a1613962ea1d55e4834f1ed47de12b252ec2e11c9b76670417059d0b5aaf");
+const KNOWN: (u32, &str) = (4, "846d48c31545e0a7ebcda278b0cc0f3f3b0344738cf03a689fb44283983f99ff");
 
 #[test]
 fn results_are_those_of_this_algorithm() {

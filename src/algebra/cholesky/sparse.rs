@@ -3,24 +3,12 @@
 //! Sums are formed in an order that the code says, product and sum are rounded one after the other, and so the bits are
 //! those of any processor: wide registers (`pulp` asks for them) only do several rows at a time.
 
-use super::Complex;
+use super::error::CholeskyError;
 use super::panels::{Panels, Vectors};
 use super::supernodes::Supernodes;
+use crate::algebra::Complex;
 use glam::{DQuat, DVec3};
 use std::marker::PhantomData;
-
-/// Why a matrix could not be factorized.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum CholeskyError {
-    /// A pivot was not positive, or memory ran out.
-    #[error("the matrix of {size} unknowns cannot be factorized: {reason}")]
-    Factorization {
-        /// Number of unknowns.
-        size: usize,
-        /// What the factorization said.
-        reason: String,
-    },
-}
 
 /// What a matrix consists of: real or complex numbers, as planes of real ones.
 pub trait Entry: Copy {
@@ -44,8 +32,8 @@ impl Entry for Complex {
     }
 }
 
-/// `L L*` of a positive definite sparse matrix, symmetric or Hermitian. Everything runs on the calling thread, and the
-/// bits are the same on every processor.
+/// `L L*` of a positive definite sparse matrix, symmetric or Hermitian. The bits are the same on
+/// every processor and any number of threads.
 #[derive(Debug)]
 pub struct SparseCholesky<T: Entry = f64> {
     supernodes: Supernodes,

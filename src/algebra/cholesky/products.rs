@@ -50,7 +50,7 @@ pub(super) fn subtract_product<S: Simd>(simd: S, source: Source, mut target: Tar
             for (plane, packed) in planes.into_iter().zip(&mut scratch.first_rows) {
                 packed.clear();
                 for (first, rows) in groups().filter(|_| !plane.is_empty()) {
-                    (0..deep).for_each(|k| packed.extend_from_slice(&plane[k * height + begin + first..][..rows]));
+                    pack(packed, plane, (begin + first, height), rows, deep);
                 }
             }
             let mut row = begin;
@@ -60,7 +60,7 @@ pub(super) fn subtract_product<S: Simd>(simd: S, source: Source, mut target: Tar
                 for (plane, packed) in planes.into_iter().zip(&mut scratch.rows) {
                     packed.clear();
                     if !plane.is_empty() {
-                        (0..deep).for_each(|k| packed.extend_from_slice(&plane[k * height + row..][..step]));
+                        pack(packed, plane, (row, height), step, deep);
                     }
                 }
                 let rows = scratch.rows.each_ref().map(Vec::as_slice);
@@ -81,6 +81,28 @@ pub(super) fn subtract_product<S: Simd>(simd: S, source: Source, mut target: Tar
                 row += step;
             }
         }
+    }
+}
+
+/// Appends `count` rows of the first `deep` columns of a plane, column by column.
+#[inline(always)]
+fn pack(packed: &mut Vec<f64>, plane: &[f64], (row, height): (usize, usize), count: usize, deep: usize) {
+    // A copy of few numbers takes less time than to ask for one.
+    match count {
+        16 => pack_few::<16>(packed, plane, row, height, deep),
+        8 => pack_few::<8>(packed, plane, row, height, deep),
+        4 => pack_few::<4>(packed, plane, row, height, deep),
+        2 => pack_few::<2>(packed, plane, row, height, deep),
+        1 => pack_few::<1>(packed, plane, row, height, deep),
+        _ => (0..deep).for_each(|k| packed.extend_from_slice(&plane[k * height + row..][..count])),
+    }
+}
+
+#[inline(always)]
+fn pack_few<const N: usize>(packed: &mut Vec<f64>, plane: &[f64], row: usize, height: usize, deep: usize) {
+    packed.reserve(N * deep);
+    for column in plane[row..].chunks(height).take(deep) {
+        column.first_chunk::<N>().into_iter().for_each(|few| packed.extend_from_slice(few));
     }
 }
 
@@ -137,8 +159,19 @@ fn subtract<S: Simd, const R: usize, const C: usize>(
     for (sums, &column) in sums.iter().zip(columns) {
         let column = &mut target[column as usize * height..][..height];
         let sums: &[f64] = pulp::bytemuck::cast_slice(sums);
+        if let Some(column) = in_a_run(rows).and_then(|run| column.get_mut(run)) {
+            column.iter_mut().zip(sums).for_each(|(x, sum)| *x -= sum);
+            continue;
+        }
         for (sum, &row) in sums.iter().zip(rows) {
             column[row as usize] -= sum;
         }
     }
+}
+
+/// Ascending rows as a range, if none is missing between them.
+#[inline(always)]
+fn in_a_run(rows: &[u32]) -> Option<std::ops::Range<usize>> {
+    let (first, last) = (*rows.first()? as usize, *rows.last()? as usize);
+    (last - first + 1 == rows.len()).then_some(first..last + 1)
 }

@@ -1,13 +1,13 @@
 //! Sparse Cholesky factorization of 3×3 blocks, whose order of elimination is kept while numbers change.
 
-use super::cholesky::CholeskyError;
+use super::error::CholeskyError;
 use super::panels::{Panels, Vectors};
 use super::supernodes::Supernodes;
 use glam::{DMat3, DVec3};
 
 /// `L Lᵀ` of a symmetric positive definite matrix that has a 3×3 block for every row and every coupled pair of rows.
-/// Which rows are coupled is known once and for all; the numbers are given again and again. Everything runs on the
-/// calling thread, and the bits are the same on every processor.
+/// Which rows are coupled is known once and for all; the numbers are given again and again. The bits are the
+/// same on every processor and any number of threads.
 #[derive(Debug)]
 pub struct BlockCholesky {
     supernodes: Supernodes,
