@@ -1,6 +1,6 @@
 //! What is to be seen of a film: the surface and the curves on it, frame by frame.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -16,6 +16,7 @@ use crate::{
         disk::{FilmFolder, FilmMesh},
         error::FilmError,
     },
+    homotopy::{Element, events_between},
     immersion::{FieldName, pinch_points},
     mesh::{EdgeId, FaceId, Mesh},
     render::{Extent, Legend, Look, Plane, Scenery},
@@ -155,6 +156,25 @@ impl Subject {
             pinch_points: pinch_points(&self.mesh, &frame.positions).into_iter().map(|v| v.0).collect(),
             quantities: self.measures.at(&self.mesh, frame)?,
         })
+    }
+
+    /// Where the hinges and faces of a frame are that fold or vanish on the way from the frame before or to the next one.
+    pub fn places_of_events(&self, frame: &Frame, before: Option<&Frame>, next: Option<&Frame>) -> Vec<DVec3> {
+        let positions = self.positions(frame);
+        // In a film that loops, nothing is decided from the last frame to the first.
+        let next = next.filter(|next| next.report.frame == frame.report.frame + 1);
+        let ways = [before.map(|before| [before, frame]), next.map(|next| [frame, next])];
+        let events = ways.into_iter().flatten();
+        let events = events.flat_map(|[from, to]| events_between(&self.mesh, &from.positions, &to.positions));
+        let elements: BTreeSet<Element> = events.map(|event| event.element).collect();
+        let middle = |element: Element| {
+            let mut vertices = element.vertices(&self.mesh);
+            if let Element::Hinge(_) = element {
+                vertices.truncate(2);
+            }
+            vertices.iter().map(|v| positions[v.index()]).sum::<DVec3>() / vertices.len() as f64
+        };
+        elements.into_iter().map(middle).collect()
     }
 
     /// Whether each face is shown; empty if all are.

@@ -52,6 +52,8 @@ pub struct LookSection {
     pub lines: Option<bool>,
     /// Widths of lines.
     pub line: LineSection,
+    /// Whether rings mark what folds or vanishes around a frame.
+    pub events: bool,
     /// Strength of the ambient occlusion, 0 to 1.
     pub occlusion: Option<f64>,
     /// Whether lights that can cast shadows do.

@@ -54,6 +54,9 @@ pub(super) fn look(table: &mut Table) -> LookSection {
             .key("lines", "Whether silhouettes, creases, boundary, self-intersections, rims and pins are drawn.")
             .optional(true),
         line: table.table("line", "Widths of lines in pixels at 1920 x 1080; 0 draws none.", line),
+        events: table
+            .key("events", "Whether a ring marks each place where a hinge folds or a face vanishes on the way from the frame before, or to the next one.")
+            .or(false),
         occlusion: share(table, "occlusion", "Strength of the ambient occlusion."),
         shadows: table.key("shadows", "Whether lights that can cast shadows do.").optional(true),
         ground_shadow: share(table, "ground_shadow", "Strength of the shadow on the ground below the surface."),
