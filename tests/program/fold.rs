@@ -104,3 +104,40 @@ fn a_film_that_has_to_fold_ends() {
         assert!(code == 2 && err.contains(says) && err.contains("fold = 'refuse'"), "{name}: {code} {out}{err}");
     }
 }
+
+/// A film that begins with rims and ends without: loops stand for them on those frames alone, in any colour.
+#[test]
+fn rims_are_drawn_as_loops() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let here = folder.path();
+    let noisy = "mesh = { shape = 'sphere', subdivisions = 6 }\n[start]\nfrom = 'mesh'\nnoise = { amplitude = 0.09, wavelength = 0.5, seed = 1 }\n\
+                 [clock]\nframes = 8\n[[phase]]\nepsilon = [1, 0.05, 1, 0.1]\n[output]\nsize = [160, 120]\nsamples = 1\n";
+    fs::write(here.join("noisy.toml"), noisy).expect("a file");
+    let film = here.join("renders/noisy");
+    let (code, out, err) = program(here, &["simulate", "noisy.toml"]);
+    assert_eq!(code, 0, "{out}{err}");
+    let pictures = |more: &[&str]| {
+        let (code, out, err) = program(here, &[&["render", "noisy.toml"], more].concat());
+        assert_eq!(code, 0, "{out}{err}");
+        (1..=8).map(|k| fs::read(film.join(format!("{k:06}.png"))).expect("a picture")).collect::<Vec<_>>()
+    };
+    let loops = ["--set", "look.rim_loops=0.6"];
+    let (plain, open) = (pictures(&[]), pictures(&loops));
+    let differ: Vec<bool> = plain.iter().zip(&open).map(|(a, b)| a != b).collect();
+    assert!(differ[0] && !differ[7], "{differ:?}");
+    // A field of faces, one of vertices, a pattern, a shutter that is open to the next frame and layers take the loops along.
+    for field in ["length_error", "mean_curvature"] {
+        let field = format!("look.color.field='{field}'");
+        let more = [
+            "--set",
+            &field,
+            "--set",
+            "camera.shutter=0.5",
+            "--set",
+            "look.pattern.kind='grid'",
+            "--set",
+            "output.format=['png', 'exr']",
+        ];
+        pictures(&[&loops[..], &more[..]].concat());
+    }
+}

@@ -50,7 +50,7 @@ impl Shots<'_> {
         if self.plan().scene.camera.shutter > 0.0 {
             digest = digest.shown(next).shown(&self.cameras(report.frame));
         }
-        if self.plan().scene.look.events {
+        if self.plan().looks_around() {
             digest = digest.shown(before).shown(next);
         }
         digest.finish()

@@ -6,7 +6,7 @@ use super::{
     labels::{labels, texts},
     plan::Plan,
     quantities::Spreads,
-    subject::Subject,
+    subject::{Beside, Subject},
 };
 use crate::{
     digest::Digest,
@@ -20,13 +20,6 @@ use crate::{
 
 /// Share of the width that is kept free for a legend.
 const LEGEND_SHARE: f64 = 0.13;
-
-/// The frames beside one, as far as its picture takes them.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Beside<'a> {
-    pub before: Option<&'a Frame>,
-    pub next: Option<&'a Frame>,
-}
 
 /// Takes pictures of one size.
 pub(super) struct Shots<'a> {
@@ -67,7 +60,7 @@ impl<'a> Shots<'a> {
     pub fn take(&self, frame: &Frame, beside: Beside) -> Result<Picture, FilmError> {
         let camera_section = &self.plan.scene.camera;
         let here = self.camera_at(frame.report.frame, 0.0);
-        let mut moment = self.subject.moment(self.plan, frame, beside.next)?;
+        let mut moment = self.subject.moment(self.plan, frame, beside)?;
         let goals = moment.next_positions.clone();
         // Where they are going as seen from here, though the camera moves too.
         let carried = here.as_seen_by(&self.camera_at(frame.report.frame, 1.0));
@@ -89,7 +82,7 @@ impl<'a> Shots<'a> {
         }
         let mut film = exposure.develop();
         if self.plan.scene.look.events {
-            let marks = self.subject.places_of_events(frame, beside.before, beside.next);
+            let marks = self.subject.places_of_events(frame, beside);
             film.draw_marks(&marks, &here, &self.look, &self.output);
         }
         let ink = film.ink();
