@@ -104,8 +104,9 @@ impl Loops {
                 values.extend(more);
             }
             FieldValues::PerVertex(values) => {
+                let period = field.period;
                 let stations = self.strands.iter().flat_map(|strand| &strand.stations);
-                let more: Vec<f32> = stations.flat_map(|station| [values[station.nearest().index()]; AROUND]).collect();
+                let more: Vec<f32> = stations.flat_map(|station| [station.value(values, period); AROUND]).collect();
                 values.extend(more);
             }
         }
@@ -216,7 +217,11 @@ impl Station {
         value(self.ends[0]).lerp(value(self.ends[1]), self.part)
     }
 
-    fn nearest(&self) -> VertexId {
-        self.ends[usize::from(self.part >= 0.5)]
+    /// The value of a field on the edge; where a period is given, the shorter way around.
+    fn value(&self, values: &[f32], period: Option<f32>) -> f32 {
+        let [from, to] = self.ends.map(|v| values[v.index()]);
+        let way = to - from;
+        let way = period.map_or(way, |period| way - (way / period).round() * period);
+        from + way * self.part as f32
     }
 }
