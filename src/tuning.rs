@@ -76,6 +76,10 @@ pub const MOST_PARTS_OF_A_FRAME: usize = 1000;
 /// How often the parts of the way to a frame are halved when a step fails, before the film is given up.
 pub const HALVINGS_OF_A_PART: usize = 3;
 
+/// How often the steps from one frame of a film of the relaxation to the next are halved where something folds, before the film is given
+/// up. A hinge that folds after a hundredth of a step folds whatever the step.
+pub const HALVINGS_OF_STEPS: usize = 6;
+
 /// Faces times frames up to which a film is looked ahead at frame by frame, some seconds' work; of a longer one frames
 /// are taken evenly from all of it.
 pub const LOOK_AHEAD: usize = 20_000_000;

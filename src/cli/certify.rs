@@ -7,15 +7,24 @@ use super::diagnostics::one_line;
 use super::failure::{Failure, PipelineError};
 use super::process::Session;
 use super::results::write_table;
-use crate::film::{self, Arrivals, CERTIFICATE, Certificate, CertifiedRim, EventKind, FilmFolder};
-use crate::homotopy::RimCounts;
+use crate::film::{self, Arrivals, CERTIFICATE, Certificate, CertifiedPoints, CertifiedRim, EventKind, FilmFolder};
+use crate::homotopy::{RimCounts, Sheets};
 use crate::scene::Scene;
 
 /// Rims that are listed.
 const SHOWN: usize = 40;
 
+/// What a certificate is asked for.
+#[derive(Clone, Copy)]
+pub(super) struct Asked {
+    /// Whether it is printed.
+    pub json: bool,
+    /// Whether it says where sheets pass through each other.
+    pub points: bool,
+}
+
 /// Certifies the film in a folder, or files of surfaces, and keeps the certificate there.
-pub(super) fn certify(folder: &Path, json: bool, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
+pub(super) fn certify(folder: &Path, asked: Asked, session: &Session, out: &mut impl Write) -> Result<(), Failure> {
     if !folder.is_dir() {
         // Says what a film is.
         FilmFolder::open(folder).map_err(PipelineError::from)?;
@@ -23,14 +32,17 @@ pub(super) fn certify(folder: &Path, json: bool, session: &Session, out: &mut im
     session.hold(folder)?;
     let arrivals = Arrivals::over().unless(session.signals.flag());
     let watch = &mut |event| session.log.pictures(event);
-    let certificate = film::certify(folder, &arrivals, watch).map_err(PipelineError::from)?;
+    let certificate = film::certify(folder, asked.points, &arrivals, watch).map_err(PipelineError::from)?;
     session.log.finish();
     film::write_certificate(folder, &certificate).map_err(PipelineError::from)?;
-    if json {
+    if asked.json {
         serde_json::to_writer_pretty(&mut *out, &certificate).map_err(io::Error::from)?;
         writeln!(out)?;
     } else {
         write_verdict(&certificate, out)?;
+        if let Some(points) = &certificate.multiple_points {
+            write_points(points, out)?;
+        }
     }
     out.flush()?;
     if certificate.is_regular_homotopy {
@@ -137,4 +149,32 @@ fn row(certificate: &Certificate, number: usize, rim: &CertifiedRim) -> Vec<Stri
     row.extend(counts.map(|count| count.to_string()));
     row.extend([vertices, place]);
     row
+}
+
+/// Where sheets pass through each other.
+fn write_points(points: &CertifiedPoints, out: &mut impl Write) -> io::Result<()> {
+    let most = |count: fn(&Sheets) -> usize| {
+        let most = points.frames.iter().map(count).max().unwrap_or(0);
+        let frame = points.frames.iter().position(|sheets| count(sheets) == most).unwrap_or(0) + 1;
+        if most == 0 { "none".to_owned() } else { format!("at most {most}, on frame {frame}") }
+    };
+    let found = &points.quadruple_points;
+    let parity = if found.len().is_multiple_of(2) { "even" } else { "odd" };
+    writeln!(out)?;
+    writeln!(out, "double curves: {}", most(|sheets| sheets.double_curves))?;
+    writeln!(out, "triple points: {}", most(|sheets| sheets.triple_points))?;
+    writeln!(out, "quadruple points: {}, an {parity} number", found.len())?;
+    if found.is_empty() {
+        return Ok(());
+    }
+    let mut rows = vec![["at", "place"].map(str::to_owned).to_vec()];
+    rows.extend(found.iter().take(SHOWN).map(|point| {
+        let at = format!("{:.6}", point.frames[0] as f64 + point.time);
+        vec![at, point.place.map(|x| format!("{x:.4}")).join(" ")]
+    }));
+    write_table(out, &rows, &["place"])?;
+    match found.len().saturating_sub(SHOWN) {
+        0 => Ok(()),
+        more => writeln!(out, "and {more} more in {CERTIFICATE}"),
+    }
 }

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use clap::{CommandFactory, Parser};
 
 use super::arguments::{Arguments, Command, Film, PictureOptions, SceneFile};
-use super::certify::{certify, certify_as_asked};
+use super::certify::{Asked, certify, certify_as_asked};
 use super::check;
 use super::diagnostics::one_line;
 use super::export::{self, Request, export};
@@ -144,7 +144,9 @@ fn obey(command: &Command, session: &Session, out: &mut Answers) -> Result<(), F
             Ok(writeln!(out, "{}: nothing is wrong", shown(&file.path))?)
         }
         Command::Inspect { folder, json, curves } => inspect(folder, *json, *curves, session, out),
-        Command::Certify { folder, json } => certify(folder, *json, session, out),
+        Command::Certify { folder, json, points } => {
+            certify(folder, Asked { json: *json, points: *points }, session, out)
+        }
         Command::Export { folder, format, frames, to, restart } => {
             let request = Request { folder, formats: format, to: to.as_deref(), restart: *restart };
             export(&request, frames.as_ref(), session, out)

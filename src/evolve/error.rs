@@ -6,11 +6,13 @@ use super::no_pass::NoPass;
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;
+use crate::homotopy::{Element, Event};
 use crate::immersion::{NoAngle, PinError};
-use crate::mesh::{LARGEST_COORDINATE, SurfaceError};
+use crate::mesh::{LARGEST_COORDINATE, Mesh, SurfaceError};
 use crate::metric::NoMetric;
 use crate::polish::PassError;
 use crate::spin::{Class, SpinError};
+use glam::DVec3;
 use std::fmt;
 
 /// What to do about a Poisson problem that cannot be factorized.
@@ -159,6 +161,46 @@ impl fmt::Display for FarMove {
     }
 }
 
+/// What folds on the way from one frame to the next. Vertices are those of the mesh file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(missing_docs)] // the fields are what the messages say they are
+pub enum FoldedWay {
+    /// A hinge: its faces come to lie upon each other.
+    Hinge { ends: [usize; 2], place: DVec3 },
+    /// A face: its corners come to lie on a line.
+    Face { corners: [usize; 3], place: DVec3 },
+}
+
+impl FoldedWay {
+    /// What an event of a mesh is in the numbers of its file.
+    pub(super) fn of(mesh: &Mesh, Event { element, place, .. }: &Event) -> FoldedWay {
+        match *element {
+            Element::Hinge(edge) => {
+                FoldedWay::Hinge { ends: mesh.edge_vertices(edge).map(|v| mesh.file_vertex(v)), place: *place }
+            }
+            Element::Face(face) => {
+                FoldedWay::Face { corners: mesh.corners(face).map(|v| mesh.file_vertex(v)), place: *place }
+            }
+        }
+    }
+}
+
+impl fmt::Display for FoldedWay {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let place = match self {
+            FoldedWay::Hinge { ends, place } => {
+                write!(f, "the edge between vertices {ends:?} folds over")?;
+                place
+            }
+            FoldedWay::Face { corners, place } => {
+                write!(f, "the face with vertices {corners:?} vanishes")?;
+                place
+            }
+        };
+        write!(f, ", near ({:.3}, {:.3}, {:.3})", place.x, place.y, place.z)
+    }
+}
+
 /// Why a running simulation ended without a frame.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EvolveError {
@@ -237,6 +279,18 @@ pub enum EvolveError {
         /// What goes so far.
         what: FarMove,
     },
+    /// No regular homotopy leads from a frame to the next, and folds are refused.
+    #[error("on the way to frame {frame}, at time {time}, {way}, also when that way is halved {halvings} times; {}", self.remedy())]
+    Folds {
+        /// The frame that is to be made, from 1.
+        frame: usize,
+        /// Its time.
+        time: f64,
+        /// What folds first.
+        way: FoldedWay,
+        /// How often the way was halved.
+        halvings: usize,
+    },
     /// A vertex star became figure-8.
     #[error("at time {time} rounding has changed the spin structure at vertex {vertex}; {}", self.remedy())]
     StarChanged {
@@ -289,6 +343,9 @@ impl Advice for EvolveError {
             }
             EvolveError::TooFar { what: FarMove::Edge { .. }, .. } => {
                 "give the film more `frames`, or raise `max_strain` of the clock".into()
+            }
+            EvolveError::Folds { .. } => {
+                "raise `bending_stiffness`, use a finer mesh there, or give the film more `frames`".into()
             }
             EvolveError::Spin(error) => error.remedy(),
             EvolveError::Metric(error) => error.remedy(),

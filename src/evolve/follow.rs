@@ -15,19 +15,20 @@ use std::sync::Arc;
 impl Relaxation {
     /// Follows metric, bending and pins to a time, in parts none of which strains the component much. Where a step
     /// fails, though there is a metric, it goes back and takes the way in parts of half the length, a few times. If that
-    /// does not help it is where it was before.
+    /// does not help it is where it was before. All parts are halved so often to begin with.
     pub(super) fn follow(
         &mut self,
         course: &mut Course,
         time: f64,
         settling: &Settling,
+        halvings: usize,
         observer: &mut dyn Observer,
     ) -> Result<(), EvolveError> {
         let there = course.metric_of(self.state().component(), time)?;
         let pins = course.pins_of(self.state().component(), time)?;
         let state = self.state();
         let here = Station { metric: state.metric(), pins: state.pins() };
-        let parts = here.parts_to(&Station { metric: &there, pins: &pins }, state.mesh(), time, settling)?;
+        let parts = here.parts_to(&Station { metric: &there, pins: &pins }, state.mesh(), time, settling)? << halvings;
         let before = self.mark();
         let first = match self.go(course, time, &there, parts, settling, observer) {
             Err(error) if error.is_of_step() => error,
@@ -75,7 +76,7 @@ impl Relaxation {
     ) -> Result<(), EvolveError> {
         // The way to the end of the loop leads on, not back through it.
         for time in clock.times().skip(1).chain([clock.end()]) {
-            self.follow(course, time, settling, observer)?;
+            self.follow(course, time, settling, 0, observer)?;
         }
         self.state_mut().move_to(course, clock.time(1))
     }

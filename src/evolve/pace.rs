@@ -2,6 +2,7 @@
 
 use super::relax::Phase;
 use crate::advice::Advice;
+use crate::tuning::{HALVINGS_OF_A_PART, HALVINGS_OF_STEPS};
 
 /// What happens between two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -23,6 +24,27 @@ pub struct OverAPass {
     pub lobes: usize,
     /// Weight of bending of the shell; strain of an edge weighs 1.
     pub stiffness: f64,
+}
+
+/// Whether something may fold on the way from one frame of a film to the next, on which vertices move on straight lines.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Fold {
+    /// Whatever may.
+    #[default]
+    Allow,
+    /// Nothing: a frame that no regular homotopy leads to is made again in smaller steps, and ends the film if that does not help.
+    Refuse,
+}
+
+impl Fold {
+    /// How often the way to a frame is halved before the film is given up.
+    pub(super) fn halvings(self, pace: Pace) -> usize {
+        match (self, pace) {
+            (Fold::Allow, _) | (Fold::Refuse, Pace::EachClass | Pace::BothWays(_)) => 0,
+            (Fold::Refuse, Pace::Steps(_)) => HALVINGS_OF_STEPS,
+            (Fold::Refuse, Pace::Settle(_)) => HALVINGS_OF_A_PART,
+        }
+    }
 }
 
 impl Default for Pace {

@@ -1,6 +1,6 @@
 //! All that a simulation is asked for.
 
-use super::pace::Pace;
+use super::pace::{Fold, Pace};
 use super::relax::Schedule;
 use crate::immersion::{Pins, TargetBending, spin_of_immersion};
 use crate::mesh::Mesh;
@@ -44,6 +44,8 @@ pub struct Program {
     pub clock: Clock,
     /// What happens between two frames.
     pub pace: Pace,
+    /// Whether something may fold on the way from one frame to the next.
+    pub fold: Fold,
     /// Which frames are polished.
     pub polish: Polishing,
     /// By which share polish may make the mean bending angle grow.
@@ -65,6 +67,7 @@ impl Program {
             is_smooth: true,
             clock: Clock::STILL,
             pace: Pace::default(),
+            fold: Fold::default(),
             polish: Polishing::default(),
             max_bending_growth: MAX_BENDING_GROWTH,
         }

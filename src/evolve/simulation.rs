@@ -7,7 +7,7 @@ use super::error::{EvolveError, ResumeError, SetupError};
 use super::finish::{Finished, Which, finish};
 use super::frame::{Frame, check_face_frames};
 use super::over_a_pass::BothWays;
-use super::pace::Pace;
+use super::pace::{Fold, Pace};
 use super::places::Row;
 use super::program::{Polishing, Program};
 use super::progress::Observer;
@@ -37,16 +37,17 @@ use std::time::Instant;
 /// ```
 #[derive(Debug)]
 pub struct Simulation {
-    mesh: Arc<Mesh>,
+    pub(super) mesh: Arc<Mesh>,
     /// Positions of the mesh, |V|, if it has any.
     mesh_positions: Option<Vec<DVec3>>,
     /// Positions that frames start from, |V|, if they do.
     start_positions: Option<Vec<DVec3>>,
-    homology: Arc<Homology>,
-    course: Course,
-    clock: Clock,
-    pace: Pace,
-    both_ways: Option<BothWays>,
+    pub(super) homology: Arc<Homology>,
+    pub(super) course: Course,
+    pub(super) clock: Clock,
+    pub(super) pace: Pace,
+    pub(super) fold: Fold,
+    pub(super) both_ways: Option<BothWays>,
     polish: Polishing,
     max_bending_growth: f64,
     /// Stands for what all frames depend on, see [`Simulation::frame_keys`].
@@ -54,12 +55,12 @@ pub struct Simulation {
     /// The components, each relaxed on its own.
     pub(super) components: Vec<Relaxation>,
     /// The last frame that was made; 0 before the first.
-    frame: usize,
+    pub(super) frame: usize,
     /// Edge lengths and what they determine, at the time of the last frame.
-    metric: Arc<Metric>,
-    curvature_error: Option<f64>,
+    pub(super) metric: Arc<Metric>,
+    pub(super) curvature_error: Option<f64>,
     /// The last frame, which the next one is compared with.
-    previous: Option<Arc<Frame>>,
+    pub(super) previous: Option<Arc<Frame>>,
 }
 
 impl Simulation {
@@ -71,7 +72,8 @@ impl Simulation {
         surface.check().map_err(SetupError::Surface)?;
         let origin = origin_of(&surface, &program);
         let Surface { mesh, positions: mesh_positions, .. } = surface;
-        let Program { metric, bending, pins, class, start, clock, pace, polish, max_bending_growth, .. } = program;
+        let Program { metric, bending, pins, class, start, clock, pace, fold, polish, max_bending_growth, .. } =
+            program;
         if let Some(found) = start.positions().map(<[DVec3]>::len).filter(|found| *found != mesh.vertex_count()) {
             return Err(SetupError::StartCount { found, vertices: mesh.vertex_count() });
         }
@@ -110,6 +112,7 @@ impl Simulation {
             course,
             clock,
             pace,
+            fold,
             both_ways,
             polish,
             max_bending_growth,
@@ -120,53 +123,6 @@ impl Simulation {
             curvature_error,
             previous: None,
         })
-    }
-
-    /// Makes the next frame of the film. The first one of a film that changes with time, or does not and has but one
-    /// frame, goes through all phases; the others follow the metric.
-    ///
-    /// # Errors
-    /// [`EvolveError`] if the observer stops it, frames are no longer finite, or the program gives no metric or no place
-    /// for its pins at the time of the frame.
-    pub fn next_frame(&mut self, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
-        let begin = Instant::now();
-        let (pace, made, clock) = (self.pace, self.frame, self.clock);
-        let time = clock.time(made + 1);
-        if let Pace::EachClass = pace {
-            self.begin_class(made, time)?;
-        }
-        let Simulation { components, course, both_ways, .. } = self;
-        both_ways
-            .iter_mut()
-            .try_for_each(|film| film.find(&self.mesh, &self.metric, clock.frames(), time, observer))?;
-        for relaxation in components {
-            relaxation.begin_frame(made + 1);
-            match (pace, made) {
-                (Pace::EachClass, _) => relaxation.relax(observer)?,
-                (Pace::Settle(settling), 0) => {
-                    relaxation.relax(observer)?;
-                    relaxation.take_out_dents(&settling, observer)?;
-                    if clock.is_looping() {
-                        relaxation.run_a_lap(course, &clock, &settling, observer)?;
-                    }
-                }
-                (Pace::Settle(settling), _) => relaxation.follow(course, time, &settling, observer)?,
-                (Pace::BothWays(_), _) => both_ways.iter().for_each(|film| film.show(made + 1, relaxation.state_mut())),
-                // The first frame of a film of the relaxation is where it starts.
-                (Pace::Steps(_), 0) => {}
-                (Pace::Steps(steps), _) => {
-                    relaxation.state_mut().move_to(course, time)?;
-                    if course.changes() {
-                        relaxation.stay_in_last_phase();
-                    }
-                    relaxation.advance(steps, observer)?;
-                }
-            }
-            relaxation.state().verify_class()?;
-        }
-        self.frame += 1;
-        self.take_metric(time)?;
-        self.frame_since(begin, observer)
     }
 
     /// Relaxes the frames at the present time through all phases that are left, and integrates the surface.
@@ -279,7 +235,7 @@ impl Simulation {
     /// [`EvolveError::Metric`], [`EvolveError::Pin`], [`EvolveError::Bending`] at the first time at which there is none.
     pub fn frame_keys(&mut self) -> Result<Vec<Key>, EvolveError> {
         let components = self.components.iter().map(|relaxation| relaxation.state().component()).collect();
-        keys_of(self.origin, &self.clock, &mut LookAhead::new(&mut self.course, components, self.pace))
+        keys_of(self.origin, &self.clock, &mut LookAhead::new(&mut self.course, components, self.pace, self.fold))
     }
 
     /// The number of the last frame that was made or gone on after; 0 before the first.
@@ -335,29 +291,16 @@ impl Simulation {
         Ok(())
     }
 
-    /// Starts over in the class with this number, the last generator being its last binary digit.
-    fn begin_class(&mut self, number: usize, time: f64) -> Result<(), EvolveError> {
-        let classes = split(&self.components, &Class::of_number(number, self.homology.betti()));
-        for (relaxation, class) in self.components.iter_mut().zip(classes) {
-            relaxation.state_mut().move_to(&mut self.course, time)?;
-            relaxation.begin_class(&self.course, class)?;
-        }
-        self.previous = None;
-        Ok(())
-    }
-
-    fn take_metric(&mut self, time: f64) -> Result<(), EvolveError> {
-        let asked = self.course.metric(time)?;
-        (self.metric, self.curvature_error) = (asked.metric.clone(), asked.curvature_error);
-        Ok(())
-    }
-
     /// The frame as it is now, polished if it is to be; the work on it began at a time of the wall clock.
     ///
     /// # Errors
     /// [`EvolveError::Unfit`] if it could not be read again: some number is not finite. [`EvolveError::Stopped`] if the
     /// observer stops it.
-    fn frame_since(&mut self, begin: Instant, observer: &mut dyn Observer) -> Result<Arc<Frame>, EvolveError> {
+    pub(super) fn frame_since(
+        &mut self,
+        begin: Instant,
+        observer: &mut dyn Observer,
+    ) -> Result<Arc<Frame>, EvolveError> {
         let row = Row {
             mesh_positions: self.mesh_positions.as_deref(),
             previous: self.previous.as_ref().map(|previous| &*previous.positions),

@@ -26,12 +26,12 @@ fn a_way_that_is_taken_again_leads_to_the_same_bits() -> Result<(), Box<dyn std:
     let settling = Settling::default();
     let relaxation = &mut simulation.components[0];
     let (before, frames) = (relaxation.mark(), relaxation.state().face_frames().to_vec());
-    relaxation.follow(&mut course, 0.5, &settling, &mut Unobserved)?;
+    relaxation.follow(&mut course, 0.5, &settling, 0, &mut Unobserved)?;
     let (there, spin) = (relaxation.state().face_frames().to_vec(), relaxation.state().spin().clone());
     assert_ne!(there, frames);
     relaxation.go_back(&course, &before)?;
     assert_eq!((relaxation.state().face_frames(), relaxation.state().time()), (&frames[..], 0.0));
-    relaxation.follow(&mut course, 0.5, &settling, &mut Unobserved)?;
+    relaxation.follow(&mut course, 0.5, &settling, 0, &mut Unobserved)?;
     assert_eq!((relaxation.state().face_frames(), relaxation.state().spin()), (&there[..], &spin));
     Ok(())
 }

@@ -18,8 +18,8 @@ mod pictures;
 mod report;
 
 pub use certificate::{
-    CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedRim, EventKind, certificate_of,
-    certify, write_certificate,
+    CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedPoints, CertifiedQuadruple,
+    CertifiedRim, EventKind, certificate_of, certify, kept_certificate, write_certificate,
 };
 pub use disk::{DiskError, FilmFolder, FilmMesh, FilmSpec, FolderLock, Manifest, MeshCounts};
 pub use error::FilmError;

@@ -60,6 +60,11 @@ impl<'a> Homotopy<'a> {
         self.frames
     }
 
+    /// Positions of the last frame; none before the first.
+    pub fn last_positions(&self) -> &[DVec3] {
+        &self.last
+    }
+
     /// All events so far, in the order of their times.
     pub fn events(&self) -> &[FilmEvent] {
         &self.events

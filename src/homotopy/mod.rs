@@ -16,6 +16,8 @@
 //! What is nearly always so is settled by balls that contain the true values (`ball`, `settled`): v without a root, or m · n
 //! without one. Everything else is decided in integers (`exact`), so that nothing is left open. The work is proportional to the
 //! number of edges.
+//!
+//! Sheets may pass through each other all the while; `multiple_points` says where.
 
 mod ball;
 mod events;
@@ -23,6 +25,7 @@ mod exact;
 mod film;
 mod form;
 mod motion;
+mod multiple_points;
 mod number;
 mod polynomial;
 mod rims;
@@ -33,4 +36,5 @@ mod tests;
 
 pub use events::{Element, Event, events_between};
 pub use film::{FilmEvent, Homotopy};
+pub use multiple_points::{MultiplePoints, QuadruplePoint, Sheets};
 pub use rims::{Change, Rim, RimCounts, Rims, rims_through_time};

@@ -45,6 +45,7 @@ fn is_positive(form: &[Ball]) -> bool {
     common_sign(form) == Some(Ordering::Greater)
 }
 
-fn difference(a: [DVec3; 2], b: [DVec3; 2]) -> Moving<Ball> {
+/// a − b, as far as balls know it.
+pub(super) fn difference(a: [DVec3; 2], b: [DVec3; 2]) -> Moving<Ball> {
     from_fn(|when| from_fn(|axis| Ball::of_difference(a[when][axis], b[when][axis])))
 }

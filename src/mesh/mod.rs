@@ -15,7 +15,7 @@ mod repair;
 mod selection;
 pub mod shapes;
 mod surface;
-mod union_find;
+pub(crate) mod union_find;
 mod weld;
 mod write;
 

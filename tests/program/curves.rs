@@ -47,7 +47,7 @@ fn polylines(figure: &str) -> Vec<Vec<(i32, i32)>> {
 #[test]
 fn the_table_holds_every_number_exactly() {
     let reports = reports(5);
-    let table = curves_csv(&reports).expect("a table");
+    let table = curves_csv(&reports, None).expect("a table");
     assert_eq!(table.lines().count(), 6);
     assert!(table.starts_with("frame,time,l2_length_error,max_length_error,"), "{table}");
     let widths: Vec<usize> = table.lines().map(|line| line.split(',').count()).collect();
@@ -58,13 +58,16 @@ fn the_table_holds_every_number_exactly() {
     assert_eq!(column(&table, "rims"), ["30", "20", "10", "0", "0"]);
     assert_eq!(column(&table, "converged"), ["0", "0", "0", "0", "1"]);
     assert_eq!(column(&table, "steps"), ["0"; 5]);
+    // With what a certificate knows, in a column of its own.
+    let with_events = curves_csv(&reports, Some(&[0, 0, 7, 0, 2])).expect("a table");
+    assert_eq!(column(&with_events, "events"), ["0", "0", "7", "0", "2"]);
     assert!(!table.contains("spin_class"), "{table}");
 }
 
 /// On a logarithmic axis errors that fall by a decade a frame lie on a line; the counts are drawn to scale.
 #[test]
 fn the_figure_is_to_scale() {
-    let figure = curves_svg(&reports(5)).expect("a figure");
+    let figure = curves_svg(&reports(5), None).expect("a figure");
     let curves = polylines(&figure);
     assert_eq!(curves.iter().map(Vec::len).collect::<Vec<_>>(), [5; 4], "max, L2, rims, pinch points");
     for curve in &curves[..2] {
@@ -81,15 +84,25 @@ fn the_figure_is_to_scale() {
     }
 }
 
+#[test]
+fn events_have_a_panel_of_their_own() {
+    let figure = curves_svg(&reports(5), Some(&[0, 0, 8, 0, 2])).expect("a figure");
+    let curves = polylines(&figure);
+    assert_eq!(curves.len(), 5);
+    let events: Vec<i32> = curves[4].iter().map(|(_, y)| curves[4][0].1 - y).collect();
+    assert!(events[1] == 0 && (events[2] - 4 * events[4]).abs() <= 3 && events[2] > 200, "{events:?}");
+    assert!(figure.lines().any(|line| line == "folds and faces that vanish since the frame before"));
+}
+
 /// Without errors, without change, and with more frames than labels.
 #[test]
 fn films_of_any_kind_have_a_figure() {
     let still = vec![FrameReport { frame: 1, ..FrameReport::default() }; 3];
-    assert_eq!(polylines(&curves_svg(&still).expect("a figure")).len(), 4);
-    assert!(curves_svg(&[]).is_ok() && curves_svg(&reports(1)).is_ok());
+    assert_eq!(polylines(&curves_svg(&still, None).expect("a figure")).len(), 4);
+    assert!(curves_svg(&[], None).is_ok() && curves_svg(&reports(1), None).is_ok());
     let long: Vec<FrameReport> =
         (1..=2000).map(|frame| FrameReport { frame, rims: frame, ..still[0].clone() }).collect();
-    let figure = curves_svg(&long).expect("a figure");
+    let figure = curves_svg(&long, None).expect("a figure");
     assert!(figure.lines().filter(|line| line.starts_with("<text")).count() < 50);
 }
 

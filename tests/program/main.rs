@@ -18,6 +18,7 @@ mod curves;
 mod edited;
 mod exported;
 mod farm;
+mod fold;
 mod frame_range;
 mod frame_rates;
 mod hostile;

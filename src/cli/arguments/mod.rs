@@ -152,6 +152,9 @@ pub(super) enum Command {
         /// Print the certificate instead of a table
         #[arg(long)]
         json: bool,
+        /// Also count double curves and triple points of each frame, and find the moments at which four sheets meet in a point
+        #[arg(long)]
+        points: bool,
     },
     /// Write a computed film as other programs read it
     Export {

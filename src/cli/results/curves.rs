@@ -13,13 +13,16 @@ use serde::de::{Deserializer, MapAccess, Visitor};
 use serde_json::Value as Json;
 
 use crate::evolve::FrameReport;
-use crate::film::DiskError;
+use crate::film::{DiskError, FilmFolder, kept_certificate};
 use crate::whole_file;
 
-/// Writes `curves.csv` and `curves.svg` into the folder of a film.
+/// Writes `curves.csv` and `curves.svg` into the folder of a film, with its events if it has a certificate.
 pub(in crate::cli) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Result<(), DiskError> {
-    let table = curves_csv(reports).map_err(io::Error::from);
-    for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports))] {
+    let certificate = kept_certificate(&FilmFolder::open(folder)?);
+    let events = certificate.map(|certificate| certificate.events_before_frames());
+    let events = events.as_deref();
+    let table = curves_csv(reports, events).map_err(io::Error::from);
+    for (name, text) in [("curves.csv", table), ("curves.svg", curves_svg(reports, events))] {
         let path = folder.join(name);
         let text = text.map_err(DiskError::io(&path, "written"))?;
         whole_file::write_unless_same(&path, text.as_bytes()).map_err(DiskError::io(&path, "written"))?;
@@ -27,14 +30,16 @@ pub(in crate::cli) fn write_curves(folder: &Path, reports: &[FrameReport]) -> Re
     Ok(())
 }
 
-/// One line a frame under a header: every number of the reports, in their order, and yes or no as 1 or 0.
+/// One line a frame under a header: every number of the reports, in their order, and yes or no as 1 or 0; in the end how much folds or
+/// vanishes on the way from the frame before, if that is known.
 ///
 /// # Errors
 /// None on reports of finite numbers.
-pub fn curves_csv(reports: &[FrameReport]) -> serde_json::Result<String> {
+pub fn curves_csv(reports: &[FrameReport], events: Option<&[usize]>) -> serde_json::Result<String> {
     let mut table = String::new();
     for (line, report) in reports.iter().enumerate() {
-        let fields: Fields = serde_json::from_str(&serde_json::to_string(report)?)?;
+        let mut fields: Fields = serde_json::from_str(&serde_json::to_string(report)?)?;
+        fields.0.extend(events_before(report, events).map(|count| ("events".to_owned(), count.to_string())));
         if line == 0 {
             let names: Vec<&str> = fields.0.iter().map(|(name, _)| name.as_str()).collect();
             table = names.join(",") + "\n";
@@ -44,6 +49,11 @@ pub fn curves_csv(reports: &[FrameReport]) -> serde_json::Result<String> {
         table.push('\n');
     }
     Ok(table)
+}
+
+/// What folds or vanishes on the way to a frame, if that is known.
+fn events_before(report: &FrameReport, events: Option<&[usize]>) -> Option<usize> {
+    events?.get(report.frame.checked_sub(1)?).copied()
 }
 
 /// The numbers of a JSON object in the order in which they are written; a map would sort them.
@@ -75,13 +85,16 @@ impl<'de> Deserialize<'de> for Fields {
     }
 }
 
-/// Length error, rims and pinch points over the frames, one panel each, as an SVG (Fig. 8 and 20 of the paper).
+/// Length error, rims, pinch points and, if they are known, events over the frames, one panel each, as an SVG (Fig. 8 and 20 of the paper).
 ///
 /// # Errors
 /// None on reports of finite numbers.
-pub fn curves_svg(reports: &[FrameReport]) -> io::Result<String> {
+pub fn curves_svg(reports: &[FrameReport], events: Option<&[usize]>) -> io::Result<String> {
     let mut svg = String::new();
-    draw(&SVGBackend::with_string(&mut svg, SIZE).into_drawing_area(), reports).map_err(io::Error::other)?;
+    let height = if events.is_some() { HEIGHT + COUNT_PANEL_HEIGHT } else { HEIGHT };
+    let area = SVGBackend::with_string(&mut svg, (WIDTH, height)).into_drawing_area();
+    draw(&area, reports, events).map_err(io::Error::other)?;
+    drop(area);
     Ok(svg)
 }
 
@@ -89,7 +102,8 @@ type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 type Outcome<'a> = Result<(), DrawingAreaErrorKind<<SVGBackend<'a> as DrawingBackend>::ErrorType>>;
 
 /// Coordinates of the drawing are integers, so that its unit has to be small: a quarter of a pixel on a usual page.
-const SIZE: (u32, u32) = (2800, 2000);
+const WIDTH: u32 = 2800;
+const HEIGHT: u32 = 2000;
 const ERROR_PANEL_HEIGHT: u32 = 880;
 const COUNT_PANEL_HEIGHT: u32 = 530;
 const MARGIN_LEFT: u32 = 230;
@@ -147,28 +161,31 @@ impl Ranged for Axis {
     }
 }
 
-fn draw<'a>(area: &Area<'a>, reports: &[FrameReport]) -> Outcome<'a> {
+fn draw<'a>(area: &Area<'a>, reports: &[FrameReport], events: Option<&[usize]>) -> Outcome<'a> {
     area.fill(&WHITE)?;
-    let (errors, counts) = area.split_vertically(ERROR_PANEL_HEIGHT);
-    let (rims, rest) = counts.split_vertically(COUNT_PANEL_HEIGHT);
-    let (pinch_points, below) = rest.split_vertically(COUNT_PANEL_HEIGHT);
-    text(&below, "frame", &INK, (SIZE.0 as i32 - MARGIN_RIGHT, 20), HPos::Right)?;
-
+    let (errors, below) = area.split_vertically(ERROR_PANEL_HEIGHT);
     let exponent = |ratio: f64| libm::log10((100.0 * ratio).max(SMALLEST_PERCENT));
     let curves = [
         Curve::of("max", ORANGE, reports, |r| exponent(r.max_length_error)),
         Curve::of("L2", BLUE, reports, |r| exponent(r.l2_length_error)),
     ];
     panel(&errors, "relative length error", reports, &curves, &decades(&curves), &percent_of_exponent)?;
-    for (area, title, color, value) in [
-        (rims, "rims", INK, (|r| r.rims as f64) as fn(&FrameReport) -> f64),
-        (pinch_points, "pinch points", INK, |r| r.pinch_points as f64),
-    ] {
-        let curves = [Curve::of(title, color, reports, value)];
-        let most = curves[0].values().fold(1.0, f64::max);
+    let counts = [
+        Curve::of("rims", INK, reports, |r| r.rims as f64),
+        Curve::of("pinch points", INK, reports, |r| r.pinch_points as f64),
+        Curve::of("folds and faces that vanish since the frame before", INK, reports, |r| {
+            events_before(r, events).unwrap_or(0) as f64
+        }),
+    ];
+    let mut rest = below;
+    for curve in counts.into_iter().take(if events.is_some() { 3 } else { 2 }) {
+        let (area, after) = rest.split_vertically(COUNT_PANEL_HEIGHT);
+        rest = after;
+        let most = curve.values().fold(1.0, f64::max);
         let axis = Axis { from: 0.0, to: 1.08 * most, ticks: ticks(0.0, most, 4.0) };
-        panel(&area, title, reports, &curves, &axis, &|y| y.to_string())?;
+        panel(&area, curve.name, reports, &[curve], &axis, &|y| y.to_string())?;
     }
+    text(&rest, "frame", &INK, (WIDTH as i32 - MARGIN_RIGHT, 20), HPos::Right)?;
     area.present()
 }
 

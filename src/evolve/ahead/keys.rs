@@ -8,7 +8,7 @@ use crate::digest::{Digest, Key};
 use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::EvolveError;
 use crate::evolve::follow::Station;
-use crate::evolve::pace::{OverAPass, Pace, Settling};
+use crate::evolve::pace::{Fold, OverAPass, Pace, Settling};
 use crate::evolve::program::{AskedClass, Orientation, Polishing, Program, Start};
 use crate::evolve::relax::{Phase, TimeStep};
 use crate::frames::Method;
@@ -45,6 +45,8 @@ pub(in crate::evolve) struct LookAhead<'a> {
     components: Vec<&'a Component>,
     /// Where the metric is followed through times between those of frames.
     settling: Option<Settling>,
+    /// How often the parts of the way may be halved for other reasons than that a step fails.
+    halvings: usize,
     before: Option<Before>,
 }
 
@@ -56,14 +58,14 @@ struct Before {
 }
 
 impl<'a> LookAhead<'a> {
-    pub fn new(course: &'a mut Course, components: Vec<&'a Component>, pace: Pace) -> LookAhead<'a> {
+    pub fn new(course: &'a mut Course, components: Vec<&'a Component>, pace: Pace, fold: Fold) -> LookAhead<'a> {
         let settling = if let Pace::Settle(settling) = pace { Some(settling) } else { None };
-        LookAhead { course, components, settling, before: None }
+        LookAhead { course, components, settling, halvings: fold.halvings(pace), before: None }
     }
 
     /// A key of what the frame at a time asks for, after the frame that was asked about before.
     fn asked_at(&mut self, time: f64) -> Result<Key, EvolveError> {
-        let LookAhead { course, components, settling, before } = self;
+        let LookAhead { course, components, settling, halvings, before } = self;
         if !course.changes() && before.is_some() {
             return Ok(Digest::of("the same").finish());
         }
@@ -72,6 +74,7 @@ impl<'a> LookAhead<'a> {
         if let (Some(settling), Some(before)) = (settling, before.as_ref()) {
             let parts = |component: &&Component| now.parts_after(before, component, settling);
             for parts in components.iter().map(parts).collect::<Result<BTreeSet<_>, _>>()? {
+                let parts = parts << *halvings;
                 for part in 1..parts {
                     let between = before.time + (time - before.time) * part as f64 / parts as f64;
                     digest = add(digest, course, between)?;
@@ -128,6 +131,7 @@ pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key 
         is_smooth,
         clock,
         pace,
+        fold,
         polish,
         max_bending_growth,
     } = program;
@@ -167,6 +171,11 @@ pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key 
         Pace::BothWays(OverAPass { lobes, stiffness }) => {
             digest.text("both ways").counts([*lobes, clock.frames()]).number(*stiffness)
         }
+    };
+    // A film that may fold has the keys that it had before one could refuse.
+    let digest = match fold {
+        Fold::Allow => digest,
+        Fold::Refuse => digest.text("no folds"),
     };
     // A film that is not polished has the keys that it had before there was polish.
     let digest = match polish {

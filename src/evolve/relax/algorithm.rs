@@ -33,6 +33,19 @@ impl Relaxation {
         Ok(())
     }
 
+    /// As [`Relaxation::advance`], each step only so far as this share of what it is.
+    pub fn advance_by_part(
+        &mut self,
+        steps: usize,
+        share: f64,
+        observer: &mut dyn Observer,
+    ) -> Result<(), EvolveError> {
+        self.share_of_step = share;
+        let outcome = self.advance(steps, observer);
+        self.share_of_step = 1.0;
+        outcome
+    }
+
     /// Takes steps of one phase until it ends, at most so many. Returns how many it took.
     pub(super) fn run(
         &mut self,
@@ -44,7 +57,7 @@ impl Relaxation {
         for taken in 1..=most {
             let step = self.step(phase);
             match self.judge(phase, &step, observer)? {
-                Verdict::Again if phase.accelerate => {
+                Verdict::Again if phase.accelerate && self.share_of_step == 1.0 => {
                     acceleration.correct(&step.before, self.state.shell_and_frames().1);
                 }
                 Verdict::Again => {}

@@ -27,6 +27,8 @@ pub(in crate::evolve) struct Relaxation {
     pub(super) phases: Vec<Phase>,
     pub(super) cursor: Cursor,
     pub(super) stepper: Stepper,
+    /// How far frames go of the way that a step is, 1 unless something would fold on it.
+    pub(super) share_of_step: f64,
     /// Random frames; `None` for other starts.
     pub(super) draws: Option<Draws>,
     /// L2 length error at which a frame without rims is done.
@@ -99,6 +101,7 @@ impl Relaxation {
             phases,
             cursor: Cursor::default(),
             stepper,
+            share_of_step: 1.0,
             draws: if let Start::Random(seed) = start { Some(Draws::new(seed)) } else { None },
             accuracy: beginning.accuracy,
             is_smooth: beginning.is_smooth,

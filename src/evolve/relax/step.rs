@@ -40,7 +40,11 @@ impl Relaxation {
         let (shell, frames) = self.state.shell_and_frames();
         blend(shell, frames, &target, phase.feedback);
         let rims = rims(shell, &target).len();
+        // Whether frames stand still is asked of the whole step.
         let turn = mean_turn(shell, &before, frames);
+        if self.share_of_step < 1.0 {
+            go_a_part(frames, &before, self.share_of_step);
+        }
         Step { before, positions, rims, dt, turn, solve }
     }
 
@@ -62,6 +66,12 @@ impl Relaxation {
     fn dt_of(&self, phase: &Phase) -> f64 {
         phase.dt.in_face_areas(self.state.mesh().face_count())
     }
+}
+
+/// Goes back so far that this share is left of the way from where frames were before.
+fn go_a_part(frames: &mut [DQuat], before: &[DQuat], share: f64) {
+    let faces = frames.par_iter_mut().with_min_len(1024).zip(before);
+    faces.for_each(|(frame, before)| *frame = (*before + (*frame - *before) * share).normalize());
 }
 
 /// λ ← normalize((1 − t) λ + t λ*) with 1 − t = (1 − amount)^(Ā/A), the `exp(−Δt/(a A))` of Alg. 8 with a chosen such

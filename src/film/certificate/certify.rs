@@ -5,30 +5,33 @@ use std::path::Path;
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::record::{CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedRim, EventKind};
+use super::record::{
+    CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedPoints, CertifiedQuadruple,
+    CertifiedRim, EventKind,
+};
 use super::surfaces::{Frame, Surfaces};
 use crate::digest::Key;
 use crate::film::disk::FilmFolder;
 use crate::film::error::FilmError;
 use crate::film::pictures::{Arrivals, Event, Watch};
-use crate::homotopy::{Change, Element, FilmEvent, Homotopy, rims_through_time};
+use crate::homotopy::{Change, Element, FilmEvent, Homotopy, MultiplePoints, QuadruplePoint, rims_through_time};
 use crate::immersion::pinch_points;
-use crate::mesh::{EdgeId, Mesh};
+use crate::mesh::{EdgeId, FaceId, Mesh};
 use crate::whole_file;
 
 /// Frames that are read side by side.
 const AT_A_TIME: usize = 8;
 
 /// Decides what happens between the frames of a film, or between the OBJ files of a folder in the order of their names, whose faces must be
-/// the same.
+/// the same. With `points` also where sheets pass through each other, which takes longer.
 ///
 /// # Errors
 /// [`FilmError::Disk`] if a frame is not there, [`FilmError::NothingToCertify`] if there are no surfaces, [`FilmError::Mesh`] if they are not of
 /// one mesh, [`FilmError::Stopped`].
-pub fn certify(folder: &Path, arrivals: &Arrivals, watch: &mut Watch) -> Result<Certificate, FilmError> {
+pub fn certify(folder: &Path, points: bool, arrivals: &Arrivals, watch: &mut Watch) -> Result<Certificate, FilmError> {
     let (surfaces, notes) = Surfaces::of(folder)?;
     notes.into_iter().for_each(|note| watch(Event::Note(note)));
-    decide(folder, &surfaces, arrivals, watch)
+    decide(folder, &surfaces, points, arrivals, watch)
 }
 
 /// The certificate of a film: the one that is kept beside it, if that is of its frames as they are, or else a new one.
@@ -36,9 +39,9 @@ pub fn certify(folder: &Path, arrivals: &Arrivals, watch: &mut Watch) -> Result<
 /// # Errors
 /// Those of [`certify`].
 pub fn certificate_of(film: &FilmFolder, arrivals: &Arrivals, watch: &mut Watch) -> Result<Certificate, FilmError> {
-    match kept(film) {
+    match kept_certificate(film) {
         Some(certificate) => Ok(certificate),
-        None => decide(film.folder(), &Surfaces::of_film(film.clone())?, arrivals, watch),
+        None => decide(film.folder(), &Surfaces::of_film(film.clone())?, false, arrivals, watch),
     }
 }
 
@@ -54,7 +57,7 @@ pub fn write_certificate(folder: &Path, certificate: &Certificate) -> Result<(),
 }
 
 /// The certificate that is kept beside a film, if it is of its frames as they are.
-fn kept(film: &FilmFolder) -> Option<Certificate> {
+pub fn kept_certificate(film: &FilmFolder) -> Option<Certificate> {
     let bytes = whole_file::read(&film.folder().join(CERTIFICATE), 1 << 32).ok()?;
     let certificate: Certificate = serde_json::from_slice(&bytes).ok()?;
     let is_of = |frame: &CertifiedFrame| film.state(frame.frame).is_ok_and(|state| state == Some(frame.file_sha256));
@@ -65,17 +68,19 @@ fn kept(film: &FilmFolder) -> Option<Certificate> {
 
 /// Whether a certificate is kept beside a film that is not of its frames as they are.
 pub(in crate::film) fn is_stale(film: &FilmFolder) -> bool {
-    kept(film).is_none()
+    kept_certificate(film).is_none()
 }
 
 fn decide(
     folder: &Path,
     surfaces: &Surfaces,
+    points: bool,
     arrivals: &Arrivals,
     watch: &mut Watch,
 ) -> Result<Certificate, FilmError> {
     let (mesh, count) = (surfaces.mesh(), surfaces.count());
     let mut film = Homotopy::new(mesh);
+    let mut sheets = points.then(|| MultiplePoints::new(mesh));
     let (mut frames, mut rims, mut pinched) = (Vec::with_capacity(count), Vec::new(), 0);
     watch(Event::Begin("certificate", count));
     let numbers: Vec<usize> = (1..=count).collect();
@@ -93,11 +98,16 @@ fn decide(
             }
             let appended = film.append(positions);
             appended.map_err(|source| FilmError::Positions { path: folder.join(&file), source })?;
+            if let Some(sheets) = &mut sheets {
+                sheets.append(film.last_positions());
+            }
             frames.push(CertifiedFrame { frame, time, file, file_sha256, positions_sha256 });
             watch(Event::Done(frame));
         }
     }
-    Ok(record(surfaces, frames, &rims, pinched, film.events()))
+    let certificate = record(surfaces, frames, &rims, pinched, film.events());
+    let multiple_points = sheets.map(|sheets| of_sheets(surfaces, &sheets));
+    Ok(Certificate { multiple_points, ..certificate })
 }
 
 fn record(
@@ -127,6 +137,7 @@ fn record(
         rims: kept
             .map(|run| CertifiedRim { events: run.events, counts: run.counts, edges_left: run.edges_left })
             .collect(),
+        multiple_points: None,
     }
 }
 
@@ -143,6 +154,20 @@ fn of_event(surfaces: &Surfaces, &FilmEvent { interval, event }: &FilmEvent, cha
         lasts: event.lasts,
         vertices: vertices.into_iter().map(|v| surfaces.file_vertex(v)).collect(),
         place: event.place.to_array(),
+    }
+}
+
+fn of_sheets(surfaces: &Surfaces, sheets: &MultiplePoints) -> CertifiedPoints {
+    let corners = |face: FaceId| surfaces.mesh().corners(face).map(|v| surfaces.file_vertex(v));
+    let quadruple = |&QuadruplePoint { interval, time, faces, place }: &QuadruplePoint| CertifiedQuadruple {
+        frames: [interval + 1, interval + 2],
+        time,
+        faces: faces.map(corners),
+        place: place.to_array(),
+    };
+    CertifiedPoints {
+        frames: sheets.frames().to_vec(),
+        quadruple_points: sheets.quadruple_points().iter().map(quadruple).collect(),
     }
 }
 

@@ -8,5 +8,8 @@ mod record;
 mod surfaces;
 
 pub(super) use certify::is_stale;
-pub use certify::{certificate_of, certify, write_certificate};
-pub use record::{CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedRim, EventKind};
+pub use certify::{certificate_of, certify, kept_certificate, write_certificate};
+pub use record::{
+    CERTIFICATE, CERTIFIER, Certificate, CertifiedEvent, CertifiedFrame, CertifiedPoints, CertifiedQuadruple,
+    CertifiedRim, EventKind,
+};

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::digest::Key;
-use crate::homotopy::{Change, RimCounts};
+use crate::homotopy::{Change, RimCounts, Sheets};
 
 /// Its name in the folder of the film.
 pub const CERTIFICATE: &str = "certificate.json";
@@ -38,6 +38,44 @@ pub struct Certificate {
     pub rims: Vec<CertifiedRim>,
     /// All events, in the order of their times.
     pub events: Vec<CertifiedEvent>,
+    /// Where sheets pass through each other, if that was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub multiple_points: Option<CertifiedPoints>,
+}
+
+impl Certificate {
+    /// Of each frame, how many events there are on the way from the one before it.
+    pub fn events_before_frames(&self) -> Vec<usize> {
+        let mut counts = vec![0; self.frames.len()];
+        for event in &self.events {
+            if let Some(count) = counts.get_mut(event.frames[0]) {
+                *count += 1;
+            }
+        }
+        counts
+    }
+}
+
+/// Double curves, triple points and quadruple points of a film.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CertifiedPoints {
+    /// Of each frame, in order.
+    pub frames: Vec<Sheets>,
+    /// All moments at which four sheets meet in a point, in order.
+    pub quadruple_points: Vec<CertifiedQuadruple>,
+}
+
+/// A moment at which four sheets meet in a point.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CertifiedQuadruple {
+    /// Between which frames.
+    pub frames: [usize; 2],
+    /// When, from 0 to 1 between the two frames.
+    pub time: f64,
+    /// A triangle of each sheet, by its vertices: numbers of the mesh file, from 0.
+    pub faces: [[usize; 3]; 4],
+    /// Where.
+    pub place: [f64; 3],
 }
 
 /// A frame whose positions were read.

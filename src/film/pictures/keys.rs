@@ -16,6 +16,8 @@ pub const RENDERER: u32 = 2;
 pub(super) struct Contents {
     /// Checksum of the state of the frame, and its report.
     pub here: (Key, FrameReport),
+    /// Checksum of the state of the frame before it, where pictures look back.
+    pub before: Option<Key>,
     /// Checksum of the state of the frame after it, where pictures look ahead.
     pub next: Option<Key>,
 }
@@ -43,16 +45,19 @@ impl Shots<'_> {
     }
 
     /// Of the picture of a frame of that film, without layers.
-    pub fn key(&self, film: Key, Contents { here: (state, report), next }: &Contents) -> Key {
+    pub fn key(&self, film: Key, Contents { here: (state, report), before, next }: &Contents) -> Key {
         let mut digest = Digest::of("picture").key(film).key(*state).shown(&self.metadata(report));
         if self.plan().scene.camera.shutter > 0.0 {
             digest = digest.shown(next).shown(&self.cameras(report.frame));
+        }
+        if self.plan().looks_around() {
+            digest = digest.shown(before).shown(next);
         }
         digest.finish()
     }
 
     /// With layers, which say where everything goes until the next frame.
-    pub fn key_of_layers(&self, picture: Key, Contents { here: (_, report), next }: &Contents) -> Key {
+    pub fn key_of_layers(&self, picture: Key, Contents { here: (_, report), next, .. }: &Contents) -> Key {
         let digest = Digest::of("layers").key(picture).shown(next).shown(&self.cameras(report.frame));
         digest.shown(&self.plan().scene.output.fields).finish()
     }

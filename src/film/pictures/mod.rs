@@ -9,6 +9,7 @@ mod coordinates;
 mod films;
 mod keys;
 mod labels;
+mod loops;
 mod passes;
 mod plan;
 mod quantities;

@@ -64,7 +64,17 @@ impl<'a> Plan<'a> {
 
     /// Whether a picture takes the frame after its own.
     pub(super) fn looks_ahead(&self) -> bool {
-        self.scene.camera.shutter > 0.0 || self.output.has_layers()
+        self.scene.camera.shutter > 0.0 || self.output.has_layers() || self.looks_around()
+    }
+
+    /// Whether what a picture shows depends on the frames on both sides of its own.
+    pub(super) fn looks_around(&self) -> bool {
+        self.scene.look.events || self.scene.look.rim_loops > 0.0
+    }
+
+    /// The frame before this one, where a picture takes it.
+    pub(super) fn before(&self, frame: usize) -> Option<usize> {
+        if self.looks_around() { frame.checked_sub(1).filter(|before| *before > 0) } else { None }
     }
 
     /// The frame after this one, counted from 1; the first after the last one of a film that loops.

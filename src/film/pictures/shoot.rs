@@ -8,6 +8,7 @@ use super::keys::Contents;
 use super::passes::{Frames, Reel, Survey, at_a_time, in_order, picture_bytes};
 use super::plan::Plan;
 use super::shots::Shots;
+use super::subject::Beside;
 use crate::digest::Key;
 use crate::film::error::FilmError;
 use crate::render::{Metadata, Output, Picture};
@@ -26,7 +27,7 @@ pub(super) struct Shown {
 /// Pictures that are next.
 struct Wave<T> {
     first: usize,
-    /// Those that are to be made, and the ones after them.
+    /// Those that are to be made, and those beside them that they take.
     frames: Frames,
     shown: Vec<(Shown, Option<T>)>,
 }
@@ -48,7 +49,7 @@ pub(super) fn shoot<T: Clone + Send + Sync>(
     let go_on = reel.watch();
     let prepare = |wave: Range<usize>| {
         let here = &frames[wave.clone()];
-        reel.wait_for(&with_next(plan, here))?;
+        reel.wait_for(&with_neighbours(plan, here))?;
         let show = |&number: &usize| {
             let contents = contents(plan, reel, number)?;
             let key = shots.key(of_film, &contents);
@@ -61,7 +62,7 @@ pub(super) fn shoot<T: Clone + Send + Sync>(
         let shown = here.par_iter().map(show).collect::<Result<Vec<_>, _>>()?;
         let to_make: Vec<usize> =
             shown.iter().filter(|(_, made)| made.is_none()).map(|(shown, _)| shown.number).collect();
-        Ok(Wave { first: wave.start, frames: reel.load(&with_next(plan, &to_make))?, shown })
+        Ok(Wave { first: wave.start, frames: reel.load(&with_neighbours(plan, &to_make))?, shown })
     };
     let make = |Wave { first, frames: loaded, shown }: &Wave<T>, index: usize| {
         let (shown, made) = &shown[index - first];
@@ -69,8 +70,9 @@ pub(super) fn shoot<T: Clone + Send + Sync>(
             return Ok((shown.number, None, made.clone()));
         }
         go_on()?;
-        let next = after(plan, shown.number).and_then(|next| loaded.get(&next));
-        let picture = shots.take(&loaded[&shown.number], next.map(AsRef::as_ref))?;
+        let other = |number: Option<usize>| number.and_then(|number| loaded.get(&number)).map(AsRef::as_ref);
+        let beside = Beside { before: other(plan.before(shown.number)), next: other(after(plan, shown.number)) };
+        let picture = shots.take(&loaded[&shown.number], beside)?;
         go_on()?;
         Ok((shown.number, Some(picture.skipped_triangles()), finish(&picture, shown)?))
     };
@@ -86,14 +88,17 @@ pub(super) fn keys_of(
 ) -> Result<Vec<Key>, FilmError> {
     let shots = Shots::new(plan, subject, extent, spreads, *output)?;
     let of_film = shots.key_of_film(reel.film())?;
-    reel.wait_for(&with_next(plan, frames))?;
+    reel.wait_for(&with_neighbours(plan, frames))?;
     frames.par_iter().map(|&frame| Ok(shots.key(of_film, &contents(plan, reel, frame)?))).collect()
 }
 
 fn contents(plan: &Plan, reel: &Reel, frame: usize) -> Result<Contents, FilmError> {
     let here = reel.contents(frame)?;
-    let next = after(plan, frame).map(|next| reel.contents(next)).transpose()?;
-    Ok(Contents { here, next: next.map(|(state, _)| state) })
+    let state = |other: Option<usize>| {
+        let contents = other.map(|other| reel.contents(other)).transpose()?;
+        Ok::<_, FilmError>(contents.map(|(state, _)| state))
+    };
+    Ok(Contents { here, before: state(plan.before(frame))?, next: state(after(plan, frame))? })
 }
 
 /// The frame that a picture takes beside its own.
@@ -101,10 +106,10 @@ fn after(plan: &Plan, frame: usize) -> Option<usize> {
     if plan.looks_ahead() { plan.after(frame) } else { None }
 }
 
-/// Frames and the ones after them, in order, each once.
-fn with_next(plan: &Plan, frames: &[usize]) -> Vec<usize> {
-    let mut wanted: Vec<usize> =
-        frames.iter().copied().chain(frames.iter().filter_map(|&frame| after(plan, frame))).collect();
+/// Frames and those beside them that their pictures take, in order, each once.
+fn with_neighbours(plan: &Plan, frames: &[usize]) -> Vec<usize> {
+    let beside = |&frame: &usize| [plan.before(frame), Some(frame), after(plan, frame)];
+    let mut wanted: Vec<usize> = frames.iter().flat_map(beside).flatten().collect();
     wanted.sort_unstable();
     wanted.dedup();
     wanted

@@ -6,7 +6,7 @@ use super::{
     labels::{labels, texts},
     plan::Plan,
     quantities::Spreads,
-    subject::Subject,
+    subject::{Beside, Subject},
 };
 use crate::{
     digest::Digest,
@@ -57,10 +57,10 @@ impl<'a> Shots<'a> {
 
     /// A picture of a frame. While the shutter is open, vertices go straight toward the frame after it, and the camera
     /// goes on its way; layers are those of the moment when it opens. Without a next frame nothing moves.
-    pub fn take(&self, frame: &Frame, next: Option<&Frame>) -> Result<Picture, FilmError> {
+    pub fn take(&self, frame: &Frame, beside: Beside) -> Result<Picture, FilmError> {
         let camera_section = &self.plan.scene.camera;
         let here = self.camera_at(frame.report.frame, 0.0);
-        let mut moment = self.subject.moment(self.plan, frame, next)?;
+        let mut moment = self.subject.moment(self.plan, frame, beside)?;
         let goals = moment.next_positions.clone();
         // Where they are going as seen from here, though the camera moves too.
         let carried = here.as_seen_by(&self.camera_at(frame.report.frame, 1.0));
@@ -81,6 +81,10 @@ impl<'a> Shots<'a> {
             }
         }
         let mut film = exposure.develop();
+        if self.plan.scene.look.events {
+            let marks = self.subject.places_of_events(frame, beside);
+            film.draw_marks(&marks, &here, &self.look, &self.output);
+        }
         let ink = film.ink();
         film.draw_overlay(&self.overlay(frame)?, ink);
         Ok(film)

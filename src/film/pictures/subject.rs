@@ -1,11 +1,12 @@
 //! What is to be seen of a film: the surface and the curves on it, frame by frame.
 
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 use std::sync::Arc;
 
 use glam::DVec3;
 
 use super::{
+    loops::Loops,
     plan::Plan,
     quantities::{Measures, Quantities, Spreads},
 };
@@ -16,8 +17,9 @@ use crate::{
         disk::{FilmFolder, FilmMesh},
         error::FilmError,
     },
+    homotopy::{Element, events_between},
     immersion::{FieldName, pinch_points},
-    mesh::{EdgeId, FaceId, Mesh},
+    mesh::{EdgeId, FaceId, Mesh, VertexId},
     render::{Extent, Legend, Look, Plane, Scenery},
 };
 
@@ -38,12 +40,21 @@ pub(super) struct Subject {
     hidden_faces: Vec<usize>,
 }
 
+/// The frames beside one, as far as its picture takes them.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Beside<'a> {
+    pub before: Option<&'a Frame>,
+    pub next: Option<&'a Frame>,
+}
+
 /// A frame as it is drawn.
 #[derive(Clone, Debug)]
 pub(super) struct Moment {
     pub positions: Vec<DVec3>,
     /// Empty if nothing moves.
     pub next_positions: Vec<DVec3>,
+    /// Those of the surface and of loops along its rims; empty without loops.
+    triangles: Vec<[u32; 3]>,
     shown: Vec<bool>,
     rims: Vec<[u32; 2]>,
     pinch_points: Vec<u32>,
@@ -146,15 +157,72 @@ impl Subject {
     }
 
     /// What is seen of a frame; the one after it tells where vertices go.
-    pub fn moment(&self, plan: &Plan, frame: &Frame, next: Option<&Frame>) -> Result<Moment, FilmError> {
-        Ok(Moment {
+    pub fn moment(&self, plan: &Plan, frame: &Frame, beside: Beside) -> Result<Moment, FilmError> {
+        let mut moment = Moment {
+            triangles: Vec::new(),
             positions: self.positions(frame),
-            next_positions: next.map(|next| self.positions(next)).unwrap_or_default(),
+            next_positions: beside.next.map(|next| self.positions(next)).unwrap_or_default(),
             shown: self.shown(plan, frame.report.time),
             rims: frame.rims.iter().map(|&e| ends(&self.mesh, e)).collect(),
             pinch_points: pinch_points(&self.mesh, &frame.positions).into_iter().map(|v| v.0).collect(),
             quantities: self.measures.at(&self.mesh, frame)?,
-        })
+        };
+        if plan.scene.look.rim_loops > 0.0 && !frame.rims.is_empty() {
+            self.open_rims(&mut moment, plan.scene.look.rim_loops, frame, beside);
+        }
+        Ok(moment)
+    }
+
+    /// Makes loops of the rims, which are no lines then, and end in no pinch points.
+    fn open_rims(&self, moment: &mut Moment, size: f64, frame: &Frame, beside: Beside) {
+        let mesh = &self.mesh;
+        let mean_length = frame.edge_lengths.iter().sum::<f64>() / frame.edge_lengths.len() as f64;
+        let is_there = |other: &Frame, vertices: &BTreeSet<VertexId>| {
+            other.rims.iter().any(|edge| mesh.edge_vertices(*edge).iter().any(|v| vertices.contains(v)))
+        };
+        let openness = |vertices: &BTreeSet<VertexId>| {
+            let others = [beside.before, beside.next].into_iter().flatten();
+            if others.into_iter().all(|other| is_there(other, vertices)) { 1.0 } else { 0.5 }
+        };
+        let loops = Loops::along(mesh, &frame.rims, size * mean_length, openness);
+        let first = moment.positions.len() as u32;
+        let places = loops.places(mesh, &moment.positions);
+        moment.positions.extend(places);
+        if !moment.next_positions.is_empty() {
+            let places = loops.places(mesh, &moment.next_positions);
+            moment.next_positions.extend(places);
+        }
+        moment.triangles = self.triangles.clone();
+        moment.triangles.extend(loops.triangles(first));
+        if !moment.shown.is_empty() {
+            let shown: Vec<bool> = loops.faces().into_iter().map(|face| moment.shown[face as usize]).collect();
+            moment.shown.extend(shown);
+        }
+        let Quantities { color, along, layers } = &mut moment.quantities;
+        let fields = color.iter_mut().chain(along.iter_mut().flatten()).chain(layers);
+        fields.for_each(|field| loops.extend(field));
+        let opened: BTreeSet<u32> = moment.rims.iter().flatten().copied().collect();
+        moment.pinch_points.retain(|vertex| !opened.contains(vertex));
+        moment.rims.clear();
+    }
+
+    /// Where the hinges and faces of a frame are that fold or vanish on the way from the frame before or to the next one.
+    pub fn places_of_events(&self, frame: &Frame, beside: Beside) -> Vec<DVec3> {
+        let positions = self.positions(frame);
+        // In a film that loops, nothing is decided from the last frame to the first.
+        let next = beside.next.filter(|next| next.report.frame == frame.report.frame + 1);
+        let ways = [beside.before.map(|before| [before, frame]), next.map(|next| [frame, next])];
+        let events = ways.into_iter().flatten();
+        let events = events.flat_map(|[from, to]| events_between(&self.mesh, &from.positions, &to.positions));
+        let elements: BTreeSet<Element> = events.map(|event| event.element).collect();
+        let middle = |element: Element| {
+            let mut vertices = element.vertices(&self.mesh);
+            if let Element::Hinge(_) = element {
+                vertices.truncate(2);
+            }
+            vertices.iter().map(|v| positions[v.index()]).sum::<DVec3>() / vertices.len() as f64
+        };
+        elements.into_iter().map(middle).collect()
     }
 
     /// Whether each face is shown; empty if all are.
@@ -177,7 +245,7 @@ impl Subject {
     pub fn scenery<'a>(&'a self, moment: &'a Moment, positions: &'a [DVec3], ground: Plane) -> Scenery<'a> {
         let Quantities { color, along, layers } = &moment.quantities;
         Scenery {
-            triangles: &self.triangles,
+            triangles: if moment.triangles.is_empty() { &self.triangles } else { &moment.triangles },
             positions,
             next_positions: &moment.next_positions,
             shown: &moment.shown,

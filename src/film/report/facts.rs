@@ -17,8 +17,8 @@ pub(super) fn list(numbers: impl IntoIterator<Item = f64>) -> Json {
     numbers.into_iter().map(six_digits).collect()
 }
 
-/// The numbers of all frames.
-pub(super) fn curves(frames: &[Small]) -> Json {
+/// The numbers of all frames, with the events before each where they are known.
+pub(super) fn curves(frames: &[Small], events: Option<&[usize]>) -> Json {
     let column = |value: &dyn Fn(&Small) -> f64| list(frames.iter().map(value));
     let optional = |value: &dyn Fn(&FrameReport) -> Option<f64>| -> Json {
         if frames.iter().all(|small| value(&small.report).is_none()) {
@@ -40,6 +40,7 @@ pub(super) fn curves(frames: &[Small]) -> Json {
         "born": count(&|r| r.rims_born),
         "died": count(&|r| r.rims_died),
         "moved": count(&|r| r.rims_moved),
+        "events": events,
         "pinchPoints": count(&|r| r.pinch_points),
         "bending": column(&|small| small.energy[0]),
         "rotation": column(&|small| small.energy[1]),

@@ -15,6 +15,7 @@ use super::records::Records;
 use super::{facts, look};
 use crate::digest::{Digest, Key};
 use crate::evolve::Frame;
+use crate::film::certificate::kept_certificate;
 use crate::film::disk::FilmFolder;
 use crate::film::error::FilmError;
 use crate::film::kept_scene::scene_to_show;
@@ -54,11 +55,13 @@ pub fn report(
     let film = FilmFolder::open(folder)?;
     let ledger = Ledger::of_page(folder)?;
     let shows = film.all_contents()?;
-    let key = key_of(&film, shows, findings)?;
+    let events = kept_certificate(&film).map(|certificate| certificate.events_before_frames());
+    let events = events.as_deref();
+    let key = key_of(&film, shows, findings, events)?;
     if !restart && ledger.is_fresh(REPORT, key) {
         return Ok(Reported::Kept);
     }
-    let text = made(&film, shows, findings, arrivals, watch)?;
+    let text = made(&film, shows, findings, events, arrivals, watch)?;
     let path = folder.join(REPORT);
     whole_file::write(&path, text.as_bytes()).map_err(|error| FilmError::write(&path, error))?;
     ledger.enter(REPORT, key, shows)?;
@@ -67,7 +70,7 @@ pub fn report(
 }
 
 /// Of all that a page is made of.
-fn key_of(film: &FilmFolder, shows: Key, findings: &Findings) -> Result<Key, FilmError> {
+fn key_of(film: &FilmFolder, shows: Key, findings: &Findings, events: Option<&[usize]>) -> Result<Key, FilmError> {
     let digest = Digest::of("report")
         .count(REPORTER as usize)
         .count(RENDERER as usize)
@@ -75,7 +78,8 @@ fn key_of(film: &FilmFolder, shows: Key, findings: &Findings) -> Result<Key, Fil
         .shown(film.manifest())
         .key(shows)
         .text(&film.scene_text()?.unwrap_or_default())
-        .shown(findings);
+        .shown(findings)
+        .shown(&events);
     Ok(parts().fold(digest, Digest::text).finish())
 }
 
@@ -113,6 +117,7 @@ fn made(
     film: &FilmFolder,
     shows: Key,
     findings: &Findings,
+    events: Option<&[usize]>,
     arrivals: &Arrivals,
     watch: &mut Watch,
 ) -> Result<String, FilmError> {
@@ -155,7 +160,7 @@ fn made(
             .map(|shown| shown.name.name()).collect::<Vec<_>>(),
         "maps": packed.fields.iter().map(|shown| look::map(shown.map)).map(|(name, map)| (name.to_owned(), map))
             .collect::<serde_json::Map<_, _>>(),
-        "curves": curves(small),
+        "curves": curves(small, events),
         "histogram": histogram(),
         "generators": generators(&subject, small),
         "unconverged": unconverged(small),

@@ -1,4 +1,4 @@
-//! What is written over a finished picture: labels and legends.
+//! What is drawn over a finished picture: labels, legends, and marks around places.
 //!
 //! The font is Inter (SIL Open Font License, `Inter-LICENSE.txt`), cut down with fontTools to Latin and Greek letters,
 //! digits, signs, superscripts and subscripts. Its digits are the tabular ones, so that numbers that change from frame
@@ -8,6 +8,7 @@ mod canvas;
 mod draw;
 mod layout;
 mod legend;
+mod marks;
 mod overlay;
 mod sizes;
 mod template;

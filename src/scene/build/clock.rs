@@ -1,6 +1,6 @@
 //! `[clock]` as times and pace, and how many frames there are when each class has one.
 
-use crate::evolve::{OverAPass, Pace, Settling};
+use crate::evolve::{Fold, OverAPass, Pace, Settling};
 use crate::mesh::Mesh;
 use crate::scene::{ClockSection, Scene, SceneError, SpinSection, StartFrom};
 use crate::timeline::Clock;
@@ -68,6 +68,13 @@ impl Scene {
 
     /// What happens between two frames; `changes` is whether anything changes with time.
     pub(super) fn pace(&self, section: &ClockSection, changes: bool) -> Result<Pace, SceneError> {
+        if self.spin == SpinSection::All && section.fold == Fold::Refuse {
+            return Err(self.complain(
+                "clock.fold",
+                "each class has a frame of its own, and no regular homotopy leads from one to the next",
+                "remove `fold`",
+            ));
+        }
         Ok(match section.steps_per_frame {
             _ if section.both_ways => self.both_ways(changes)?,
             _ if self.spin == SpinSection::All => Pace::EachClass,

@@ -33,6 +33,7 @@ impl Scene {
             }
             EvolveError::Pin(error) => self.pin_fault(error),
             EvolveError::Bending(error) => self.complain_about(&bending_key(error), error),
+            EvolveError::Folds { .. } => self.complain_about("clock.fold", error),
             EvolveError::Pass { .. } => self.complain_about("clock.both_ways", error),
             EvolveError::TooFar { what: FarMove::Pin { .. }, .. } => self.complain_about("pin", error),
             EvolveError::TooFar { what: FarMove::Edge { .. }, .. } => self.complain_about("clock.max_strain", error),

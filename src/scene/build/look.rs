@@ -36,7 +36,12 @@ fn of_section(section: &LookSection, folder: &Path) -> Result<Look, RenderError>
         shadows: section.shadows.unwrap_or(preset.shadows),
         ground_shadow: share(section.ground_shadow, preset.ground_shadow),
         wireframe: share(section.wireframe, preset.wireframe),
-        lines: if section.lines == Some(false) { Lines::NONE } else { lines(&section.line, preset.lines) },
+        lines: if section.lines == Some(false) {
+            // Marks have the colour of rims, drawn or not.
+            Lines { rim_color: preset.lines.rim_color, ..Lines::NONE }
+        } else {
+            lines(&section.line, preset.lines)
+        },
         ..preset
     };
     look.validate()?;

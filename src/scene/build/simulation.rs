@@ -50,6 +50,7 @@ impl Scene {
             is_smooth: self.is_smooth(),
             clock,
             pace: self.pace(&section, changes)?,
+            fold: section.fold,
             polish: self.polishing(&section, surface.mesh.face_count()),
             max_bending_growth: self.polish.max_bending_growth,
         })

@@ -52,6 +52,10 @@ pub struct LookSection {
     pub lines: Option<bool>,
     /// Widths of lines.
     pub line: LineSection,
+    /// Radius of the loops that rims are drawn as, in mean edge lengths; 0 draws them as lines.
+    pub rim_loops: f64,
+    /// Whether rings mark what folds or vanishes around a frame.
+    pub events: bool,
     /// Strength of the ambient occlusion, 0 to 1.
     pub occlusion: Option<f64>,
     /// Whether lights that can cast shadows do.

@@ -1,6 +1,6 @@
 //! `[clock]`, and numbers that change with time.
 
-use crate::evolve::Polishing;
+use crate::evolve::{Fold, Polishing};
 use crate::timeline::{Ease, Extrapolation};
 use crate::tuning::MAX_BENDING_GROWTH;
 
@@ -54,6 +54,8 @@ pub struct ClockSection {
     pub looping: bool,
     /// Whether the film begins in its middle, on a halfway model, and shows both ways down.
     pub both_ways: bool,
+    /// Whether something may fold on the way from one frame to the next.
+    pub fold: Fold,
     /// A film of the relaxation itself: so many steps from frame to frame. Left out, every frame of a film whose
     /// scene changes with time is relaxed until it has settled, and in any other film it is 2.
     pub steps_per_frame: Option<usize>,
@@ -78,6 +80,7 @@ impl Default for ClockSection {
             end: 1.0,
             looping: false,
             both_ways: false,
+            fold: Fold::Allow,
             steps_per_frame: None,
             tolerance: 0.005,
             max_steps: 100,

@@ -1,5 +1,6 @@
 //! `[clock]`
 
+use crate::evolve::Fold;
 use crate::scene::data::ClockSection;
 use crate::scene::keys::Table;
 use crate::timeline::Clock;
@@ -21,6 +22,7 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
         both_ways: table
             .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere turns inside out.")
             .or(default.both_ways),
+        fold: table.choice_or("fold", "What happens when something would fold on the way from one frame to the next, on which vertices move on straight lines: \"allow\", or \"refuse\": the frame is made again, nearer to the one before or in smaller parts, and if something folds all the same the film ends with an error.", &[("allow", Fold::Allow), ("refuse", Fold::Refuse)], default.fold),
         steps_per_frame: table
             .key("steps_per_frame", "Steps between the frames of a film of the relaxation; left out, frames of a scene that changes with time relax until they have settled.")
             .at_least(1.0)

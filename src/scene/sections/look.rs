@@ -54,6 +54,14 @@ pub(super) fn look(table: &mut Table) -> LookSection {
             .key("lines", "Whether silhouettes, creases, boundary, self-intersections, rims and pins are drawn.")
             .optional(true),
         line: table.table("line", "Widths of lines in pixels at 1920 x 1080; 0 draws none.", line),
+        rim_loops: table
+            .key("rim_loops", "Radius of loops in mean edge lengths, which the surface makes along its rims so that it is an immersion: half as wide on the first and the last frame of a rim. 0 draws rims as lines.")
+            .at_least(0.0)
+            .at_most(20.0)
+            .or(0.0),
+        events: table
+            .key("events", "Whether a ring marks each place where a hinge folds or a face vanishes on the way from the frame before, or to the next one.")
+            .or(false),
         occlusion: share(table, "occlusion", "Strength of the ambient occlusion."),
         shadows: table.key("shadows", "Whether lights that can cast shadows do.").optional(true),
         ground_shadow: share(table, "ground_shadow", "Strength of the shadow on the ground below the surface."),

@@ -1,6 +1,7 @@
 //! Surfaces that move: what is found between two of them, and what becomes of it in a film.
 
 mod intervals;
+mod multiple_points;
 mod rims;
 
 use glam::DVec3;

@@ -17,6 +17,7 @@ function panels() {
   if (c.rims.some(Boolean)) {
     list.push({ title: "rims", write: short, curves: [["rims", c.rims, "warm"], ["born", c.born, "faint"], ["died", c.died, "cool"]] });
   }
+  if (c.events?.some(Boolean)) list.push({ title: "folds and faces that vanish", write: short, curves: [["since the frame before", c.events, "warm"]] });
   if (c.pinchPoints.some(Boolean)) list.push({ title: "pinch points", write: short, curves: [["pinch points", c.pinchPoints, "warm"]] });
   list.push({ title: "energy", log: true, least: 1e-9, write: short, curves: [["bending", c.bending, "warm"], ["torsion", c.torsion, "faint"], ["rotation", c.rotation, "cool"]] });
   const bend = [["angle between faces", c.bend, "warm"]];
