@@ -26,7 +26,7 @@ pub use error::{EvolveError, FarMove, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
 pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use no_pass::NoPass;
-pub use pace::{OverAPass, Pace, PaceError, Settling};
+pub use pace::{HalfwayModel, OverAPass, Pace, PaceError, Settling};
 pub use program::{AskedClass, Orientation, Polishing, Program, Start};
 pub use progress::{Observer, Progress, Unobserved};
 pub use relax::{Cursor, Phase, PhaseError, Schedule, TimeStep};

@@ -2,6 +2,7 @@
 
 use super::relax::Phase;
 use crate::advice::Advice;
+use crate::mesh::shapes::FigureEight;
 
 /// What happens between two frames.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,10 +20,22 @@ pub enum Pace {
 /// A way over a pass, see [`Pace::BothWays`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverAPass {
-    /// Lobes of the halfway model.
-    pub lobes: usize,
+    /// The halfway model.
+    pub halfway: HalfwayModel,
     /// Weight of bending of the shell; strain of an edge weighs 1.
     pub stiffness: f64,
+}
+
+/// What stands on the pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HalfwayModel {
+    /// A sphere with so many lobes, see [`crate::mesh::shapes::Halfway`].
+    Sphere {
+        /// Lobes.
+        lobes: usize,
+    },
+    /// A torus.
+    Torus(FigureEight),
 }
 
 impl Default for Pace {

@@ -19,7 +19,7 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
         end: table.key("end", "Time of the last frame or, in a film that loops, of the one after it.").or(default.end),
         looping: table.key("loop", "Whether the first frame comes after the last one again.").or(default.looping),
         both_ways: table
-            .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere turns inside out.")
+            .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere or a torus turns inside out.")
             .or(default.both_ways),
         steps_per_frame: table
             .key("steps_per_frame", "Steps between the frames of a film of the relaxation; left out, frames of a scene that changes with time relax until they have settled.")
