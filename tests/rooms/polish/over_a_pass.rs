@@ -128,7 +128,7 @@ fn a_flat_torus_turns_inside_out() {
     }
     assert!(homotopy.events().is_empty());
     for k in [0, 60] {
-        assert!(frames[k].report.l2_length_error < 1e-3, "{}", frames[k].report.l2_length_error);
+        assert!(frames[k].report.l2_length_error < 1.5e-3, "{}", frames[k].report.l2_length_error);
     }
     // The eight turns by half a turn: what was above the crossing is below it in the end, all along the ring.
     let above = |k: usize, j: usize| {
