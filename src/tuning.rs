@@ -292,3 +292,7 @@ pub const STIFFENING: f64 = 1.03;
 
 /// How much stiffer it may get in all.
 pub const MOST_STIFFENING: f64 = 20.0;
+
+/// How much more than on the pass, in L2 strain, a surface that has left it and stands still is stretched when it is down. A ring of
+/// eights, which is not rigid, comes to rest stretched by its stiffness alone; a sphere whose corner locks is not there yet.
+pub const STRETCHED_AT_REST: f64 = 1.2;

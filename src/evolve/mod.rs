@@ -27,7 +27,7 @@ pub use error::{EvolveError, FarMove, FoldedWay, ResumeError, SetupError};
 pub use frame::{Frame, UnfitFrame};
 pub use immersion::{ImmersedSurface, Immersion, ImmersionError};
 pub use no_pass::NoPass;
-pub use pace::{Fold, OverAPass, Pace, PaceError, Settling};
+pub use pace::{Fold, HalfwayModel, OverAPass, Pace, PaceError, Settling};
 pub use program::{AskedClass, Orientation, Polishing, Program, Start};
 pub use progress::{Observer, Progress, Unobserved};
 pub use relax::{Cursor, Phase, PhaseError, Schedule, TimeStep};

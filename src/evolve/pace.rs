@@ -2,6 +2,7 @@
 
 use super::relax::Phase;
 use crate::advice::Advice;
+use crate::mesh::shapes::FigureEight;
 use crate::tuning::{HALVINGS_OF_A_PART, HALVINGS_OF_STEPS};
 
 /// What happens between two frames.
@@ -20,8 +21,8 @@ pub enum Pace {
 /// A way over a pass, see [`Pace::BothWays`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OverAPass {
-    /// Lobes of the halfway model.
-    pub lobes: usize,
+    /// The halfway model.
+    pub halfway: HalfwayModel,
     /// Weight of bending of the shell; strain of an edge weighs 1.
     pub stiffness: f64,
 }
@@ -45,6 +46,18 @@ impl Fold {
             (Fold::Refuse, Pace::Settle(_)) => HALVINGS_OF_A_PART,
         }
     }
+}
+
+/// What stands on the pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HalfwayModel {
+    /// A sphere with so many lobes, see [`crate::mesh::shapes::Halfway`].
+    Sphere {
+        /// Lobes.
+        lobes: usize,
+    },
+    /// A torus.
+    Torus(FigureEight),
 }
 
 impl Default for Pace {

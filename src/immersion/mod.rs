@@ -5,7 +5,6 @@ mod bending;
 mod crossings;
 mod deform;
 mod edge_vectors;
-mod halfway;
 mod measure;
 mod periods;
 mod pins;
@@ -18,7 +17,6 @@ pub use alignment::RigidMotion;
 pub use bending::{BendingPart, NoAngle, TargetBending};
 pub use deform::{noise_along_normals, noise_displacement};
 pub use edge_vectors::edge_vectors;
-pub use halfway::Halfway;
 pub use measure::{
     ConformalFactor, FieldError, FieldInput, FieldName, FieldValues, Fields, LengthError, bending_angles,
     class_of_positions, enclosed_volume, gaussian_curvatures, is_convex, is_figure_8, l2_length_error, largest_dent,

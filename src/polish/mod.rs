@@ -24,6 +24,6 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
-pub use pass::{NoSymmetry, Pass, PassError, SideExchange};
+pub use pass::{Exchange, Motion, NoSymmetry, Pass, PassError};
 pub use report::{Ending, PolishReport, mean_bending};
 pub use settings::{Polish, PolishStep, Polished, Watch};

@@ -8,10 +8,11 @@ use crate::digest::{Digest, Key};
 use crate::evolve::course::{Course, metric_of};
 use crate::evolve::error::EvolveError;
 use crate::evolve::follow::Station;
-use crate::evolve::pace::{Fold, OverAPass, Pace, Settling};
+use crate::evolve::pace::{Fold, HalfwayModel, OverAPass, Pace, Settling};
 use crate::evolve::program::{AskedClass, Orientation, Polishing, Program, Start};
 use crate::evolve::relax::{Phase, TimeStep};
 use crate::frames::Method;
+use crate::mesh::shapes::FigureEight;
 use crate::mesh::{Component, Mesh, Surface, VertexId};
 use crate::metric::Metric;
 use crate::timeline::Clock;
@@ -168,8 +169,16 @@ pub(in crate::evolve) fn origin_of(surface: &Surface, program: &Program) -> Key 
             .text("settle")
             .numbers([settling.tolerance_radians(), settling.max_strain()])
             .count(settling.max_steps()),
-        Pace::BothWays(OverAPass { lobes, stiffness }) => {
-            digest.text("both ways").counts([*lobes, clock.frames()]).number(*stiffness)
+        Pace::BothWays(OverAPass { halfway, stiffness }) => {
+            let (digest, frames) = (digest.text("both ways"), clock.frames());
+            let digest = match halfway {
+                HalfwayModel::Sphere { lobes } => digest.counts([*lobes, frames]),
+                HalfwayModel::Torus(FigureEight { columns, rows, ring_radius, tube_radius, slides }) => digest
+                    .text("torus")
+                    .counts([*columns, *rows, usize::from(*slides), frames])
+                    .numbers([*ring_radius, *tube_radius]),
+            };
+            digest.number(*stiffness)
         }
     };
     // A film that may fold has the keys that it had before one could refuse.

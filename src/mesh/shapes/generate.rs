@@ -1,7 +1,7 @@
 //! From a shape and its parameters to its surface.
 
 use super::shape::Shape;
-use super::{cylinder, disk, flat_torus, hyperbolic_disk, implicit, octasphere, polyhedra, sphere, torus};
+use super::{cylinder, disk, flat_torus, halfway, hyperbolic_disk, implicit, octasphere, polyhedra, sphere, torus};
 use crate::mesh::{MeshError, Surface};
 
 impl Shape {
@@ -15,6 +15,7 @@ impl Shape {
             Shape::Sphere { radius, subdivisions } => sphere::sphere(radius, subdivisions),
             Shape::UvSphere { radius, meridians, parallels } => sphere::uv_sphere(radius, meridians, parallels),
             Shape::Octasphere { radius, subdivisions, sides } => octasphere::octasphere(radius, subdivisions, sides),
+            Shape::Halfway { lobes, subdivisions } => halfway::halfway(lobes, subdivisions),
             Shape::FlatTorus { a, b, columns, rows, grid } => flat_torus::flat_torus(a, b, columns, rows, grid),
             Shape::Torus { major_radius, minor_radius, columns, rows } => {
                 torus::torus(major_radius, minor_radius, columns, rows)

@@ -21,6 +21,10 @@ pub const LEAST_ROWS: usize = 1;
 pub const LEAST_RINGS: usize = 1;
 /// The least number of sides of a polygon.
 pub const LEAST_SIDES: usize = 3;
+/// The least number of lobes of a halfway model.
+pub const LEAST_LOBES: usize = 2;
+/// With more lobes triangles of any mesh get too thin.
+pub const MOST_LOBES: usize = 12;
 /// The least number of parts that an edge is divided into.
 pub const LEAST_SUBDIVISIONS: usize = 1;
 /// The least number of faces of a hyperbolic disk: one hexagon.

@@ -11,6 +11,9 @@ pub enum Shape {
     /// A sphere of this `radius` that is an octahedron bent, or another bipyramid over so many `sides`. Its edges are divided into
     /// `subdivisions` parts.
     Octasphere { radius: f64, subdivisions: usize, sides: usize },
+    /// The halfway model of a sphere eversion with so many `lobes`, in the place of an octasphere with twice as many sides whose edges are
+    /// divided into `subdivisions` parts.
+    Halfway { lobes: usize, subdivisions: usize },
     /// A parallelogram with opposite sides glued, known by its lengths alone. It is spanned by `a` and `b`, and has
     /// `columns` along `a` and `rows` along `b`.
     FlatTorus { a: [f64; 2], b: [f64; 2], columns: usize, rows: usize, grid: Grid },

@@ -8,26 +8,29 @@ use crate::algebra::inner_product;
 use crate::polish::energy::{Energy, Stiffness};
 use crate::tuning::{
     DRAG_OF_A_DESCENT, MOMENTUM, MOST_STEPS_OF_A_DESCENT, MOST_STIFFENING, NEARLY_DOWN, PUSH_OFF_A_PASS,
-    REACH_OF_THE_PUSH, STEP_OF_A_DESCENT, STIFFENING,
+    REACH_OF_THE_PUSH, STEP_OF_A_DESCENT, STIFFENING, STRETCHED_AT_REST,
 };
 use glam::DVec3;
 use std::f64::consts::PI;
 
 impl Pass {
     /// Goes down from the begin of the way until the surface is nearly the one that is asked for.
-    pub(super) fn descend(&self, energy: &Energy, way: &mut Way, flow: &mut Flow) -> Result<(), PassError> {
-        let symmetric = |vectors: &mut [DVec3]| self.exchange.make_turn_symmetric(vectors);
+    pub(super) fn descend(&self, energy: &Energy, side: f64, way: &mut Way, flow: &mut Flow) -> Result<(), PassError> {
+        let symmetric = |vectors: &mut [DVec3]| self.make_turn_symmetric(vectors);
         let mut stiffness = self.stiffness;
         let mut shape = Shape::new(energy, way.end().to_vec());
         let mass = inner_product(&flow.masses, &flow.masses, |mass, _| mass);
-        // Of the sphere with this area, in mean edge lengths.
-        let radius = (mass / (4.0 * PI)).sqrt();
-        flow.push = self.push(&flow.masses, PUSH_OFF_A_PASS * self.stiffness / (mass * radius));
-        let least_drag = DRAG_OF_A_DESCENT * self.stiffness / (mass * radius * radius);
+        // Of what turns over, in mean edge lengths.
+        let radius = self.size * (mass / (4.0 * PI)).sqrt();
+        // Bending costs so much of the whole surface.
+        let stiffness_of_all = self.stiffness / (self.size * self.size);
+        flow.push = self.push(&flow.masses, side * PUSH_OFF_A_PASS * stiffness_of_all / (mass * radius));
+        let least_drag = DRAG_OF_A_DESCENT * stiffness_of_all / (mass * radius * radius);
         let far = (STEP_OF_A_DESCENT * radius).min(1.0);
         flow.drag = least_drag;
         let kept = energy.l2_strain(&shape.positions);
         flow.announce(MOST_STEPS_OF_A_DESCENT);
+        let mut is_down = false;
         let mut momentum: Option<Vec<DVec3>> = None;
         for _ in 0..MOST_STEPS_OF_A_DESCENT {
             let before = shape.positions.clone();
@@ -41,11 +44,15 @@ impl Pass {
             let l2_length_error = energy.l2_strain(&shape.positions);
             let Some(Taken { share, farthest }) = taken else { return Err(PassError::Stuck { l2_length_error }) };
             flow.drag = (flow.drag * (farthest / share / far).clamp(0.5, 2.0)).max(least_drag);
+            let is_off = flow.push.is_empty();
+            let stands_still = share == 1.0 && farthest < STANDING_STILL;
+            // Then it is its stiffness that stretches it, which goes.
+            is_down |= is_off && stands_still && l2_length_error > STRETCHED_AT_REST * kept;
             // What is stretched less may be stiffer: pockets stay wide, and their corners do not lock, or unlock.
-            if l2_length_error < kept || farthest < STANDING_STILL {
+            if !is_down && (l2_length_error < kept || farthest < STANDING_STILL) {
                 stiffness = (stiffness * STIFFENING).min(self.stiffness * MOST_STIFFENING);
             } else {
-                stiffness = (stiffness / STIFFENING).max(self.stiffness);
+                stiffness = (stiffness / STIFFENING).max(if is_down { 0.0 } else { self.stiffness });
             }
             momentum =
                 Some(shape.positions.iter().zip(&before).map(|(now, before)| (*now - *before) * MOMENTUM).collect());
@@ -55,7 +62,7 @@ impl Pass {
             {
                 flow.push = Vec::new();
             }
-            if l2_length_error < NEARLY_DOWN && share == 1.0 && farthest < STANDING_STILL {
+            if l2_length_error < NEARLY_DOWN && is_off && (is_down || stands_still) {
                 return Ok(());
             }
         }

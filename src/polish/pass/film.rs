@@ -31,14 +31,33 @@ impl Pass {
         let system = NewtonSystem::new(&energy, &vec![false; mesh.vertex_count()])?;
         let masses: Vec<f64> = metric.vertex_areas(mesh).iter().map(|area| area / (unit * unit)).collect();
         let mut flow = Flow::new(system, masses, Progress::new(watch));
-        let mut way = Way::new(self.saddle(mesh, &energy, &mut flow)?);
-        self.descend(&energy, &mut way, &mut flow)?;
+        let saddle = self.saddle(mesh, &energy, &mut flow)?;
+        let sides: &[f64] = if self.exchange.is_some() { &[1.0] } else { &[1.0, -1.0] };
+        let mut ways = Vec::new();
+        for side in sides {
+            let mut way = Way::new(saddle.clone());
+            self.descend(&energy, *side, &mut way, &mut flow)?;
+            ways.push(way);
+        }
         drop(flow);
-        let end = self.end(mesh, metric, way.end(), unit, watch);
-        way.push(end);
-        let is_outward = enclosed_volume(mesh, way.end()).is_some_and(|volume| volume > 0.0);
-        let mut film = way.both_ways(&self.exchange, frames, unit);
-        if !is_outward {
+        for way in &mut ways {
+            let end = self.end(mesh, metric, way.end(), unit, watch);
+            way.push(end);
+        }
+        let frame = |k: usize| {
+            let last = frames.saturating_sub(1).max(1) as f64;
+            let side = 2.0 * k as f64 / last - 1.0;
+            let places = match (&self.exchange, ways.as_slice()) {
+                (Some(exchange), [way]) if side < 0.0 => exchange.exchanged(&way.at(-side)),
+                (None, [_, way]) if side < 0.0 => way.at(-side),
+                (_, [way, ..]) => way.at(side),
+                _ => Vec::new(),
+            };
+            places.into_iter().map(|p| p * unit).collect()
+        };
+        let mut film: Vec<Vec<DVec3>> = (0..frames).map(frame).collect();
+        let volume = film.last().and_then(|end| enclosed_volume(mesh, end));
+        if volume.is_some_and(|volume| volume < 0.0) {
             film.reverse();
         }
         Ok(film)
@@ -47,10 +66,15 @@ impl Pass {
     /// The end of the way with the lengths of the metric.
     fn end(&self, mesh: &Mesh, metric: &Metric, from: &[DVec3], unit: f64, watch: &mut Watch) -> Vec<DVec3> {
         let from: Vec<DVec3> = from.iter().map(|p| *p * unit).collect();
-        let polish = Polish { stiffness: MEMBRANE_HOLD, is_membrane: true, ..Polish::default() };
+        let polish = match mesh.betti() {
+            // Rigid, and smooth without being held.
+            // Rigid, and smooth without being held.
+            0 => Polish { stiffness: MEMBRANE_HOLD, is_membrane: true, ..Polish::default() },
+            _ => Polish::default(),
+        };
         let polished = polish.apply(mesh, metric, &from, None, &[], watch);
         let mut end: Vec<DVec3> = polished.positions.iter().map(|p| *p / unit).collect();
-        self.exchange.make_turn_symmetric(&mut end);
+        self.make_turn_symmetric(&mut end);
         end
     }
 }

@@ -12,7 +12,7 @@ use glam::DVec3;
 impl Pass {
     /// The halfway model with the lengths of the energy, in mean edge lengths: at rest within its symmetry, or nearly so.
     pub(super) fn saddle(&self, mesh: &Mesh, energy: &Energy, flow: &mut Flow) -> Result<Vec<DVec3>, PassError> {
-        let symmetric = |vectors: &mut [DVec3]| self.exchange.make_symmetric(vectors);
+        let symmetric = |vectors: &mut [DVec3]| self.make_symmetric(vectors);
         let begin = self.of_area(mesh, energy);
         let own = lengths_of_positions(mesh, &begin);
         let mut shape = Shape::new(energy, begin);
@@ -51,7 +51,7 @@ impl Pass {
             .sum();
         let scale = (energy.area() / area).sqrt();
         let mut places: Vec<DVec3> = self.halfway.iter().map(|p| *p * scale).collect();
-        self.exchange.make_symmetric(&mut places);
+        self.make_symmetric(&mut places);
         places
     }
 }

@@ -1,6 +1,5 @@
 //! The way down from a pass, and films of it.
 
-use super::symmetry::SideExchange;
 use glam::DVec3;
 
 /// A path of surfaces, in mean edge lengths.
@@ -34,20 +33,8 @@ impl Way {
         self.stations.last().map_or(&[], Vec::as_slice)
     }
 
-    /// A film of so many frames, evenly spaced: the way backwards with sides exchanged, then forwards.
-    pub fn both_ways(&self, exchange: &SideExchange, frames: usize, unit: f64) -> Vec<Vec<DVec3>> {
-        let last = frames.saturating_sub(1).max(1) as f64;
-        let frame = |k: usize| {
-            let side = 2.0 * k as f64 / last - 1.0;
-            let mut places = self.at(side.abs());
-            places.iter_mut().for_each(|p| *p *= unit);
-            if side < 0.0 { exchange.exchanged(&places) } else { places }
-        };
-        (0..frames).map(frame).collect()
-    }
-
     /// The surface at a share of the whole length.
-    fn at(&self, share: f64) -> Vec<DVec3> {
+    pub fn at(&self, share: f64) -> Vec<DVec3> {
         let length = share * self.lengths.last().copied().unwrap_or_default();
         let next = self.lengths.partition_point(|there| *there < length).clamp(1, self.stations.len() - 1);
         let [from, to] = [self.lengths[next - 1], self.lengths[next]];

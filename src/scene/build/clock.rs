@@ -1,6 +1,6 @@
 //! `[clock]` as times and pace, and how many frames there are when each class has one.
 
-use crate::evolve::{Fold, OverAPass, Pace, Settling};
+use crate::evolve::{Fold, HalfwayModel, OverAPass, Pace, Settling};
 use crate::mesh::Mesh;
 use crate::scene::{ClockSection, Scene, SceneError, SpinSection, StartFrom};
 use crate::timeline::Clock;
@@ -54,8 +54,13 @@ impl Scene {
     /// At `both_ways` if the scene asks for what goes with frames of faces alone.
     fn both_ways(&self, changes: bool) -> Result<Pace, SceneError> {
         let fault = |reason: &str, remedy: &str| Err(self.complain("clock.both_ways", reason, remedy));
-        let StartFrom::Halfway(lobes) = self.start.from else {
-            return fault("a film of both ways begins on a halfway model", "write `halfway = 2` under [start]");
+        let halfway = match self.start.from {
+            StartFrom::Halfway(lobes) => HalfwayModel::Sphere { lobes },
+            StartFrom::FigureEight => HalfwayModel::Torus(self.figure_eight()?),
+            _ => {
+                let remedy = "write `halfway = 2` or, of a torus, from = \"figure eight\" under [start]";
+                return fault("a film of both ways begins on a halfway model", remedy);
+            }
         };
         let is_plain = self.start.formula.is_none() && self.start.noise.is_none() && self.bending.is_none();
         if changes || !is_plain || !self.pins.is_empty() || !self.phases.is_empty() {
@@ -63,7 +68,7 @@ impl Scene {
             return fault(reason, "remove them");
         }
         let stiffness = self.relaxation.bending_stiffness.unwrap_or(STIFFNESS_OVER_A_PASS);
-        Ok(Pace::BothWays(OverAPass { lobes, stiffness }))
+        Ok(Pace::BothWays(OverAPass { halfway, stiffness }))
     }
 
     /// What happens between two frames; `changes` is whether anything changes with time.

@@ -14,9 +14,11 @@ impl Scene {
     pub fn schedule(&self) -> Result<Schedule, SceneError> {
         let defaults = match self.start.from {
             StartFrom::Random(_) | StartFrom::Spectral => Schedule::default(),
-            StartFrom::Mesh | StartFrom::Mirror | StartFrom::Halfway(_) | StartFrom::File(_) => {
-                Schedule::of_last_phase()
-            }
+            StartFrom::Mesh
+            | StartFrom::Mirror
+            | StartFrom::Halfway(_)
+            | StartFrom::FigureEight
+            | StartFrom::File(_) => Schedule::of_last_phase(),
         };
         let schedule = if self.phases.is_empty() { defaults } else { self.changed(defaults.phases())? };
         let Some(stiffness) = self.relaxation.bending_stiffness else { return Ok(schedule) };

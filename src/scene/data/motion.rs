@@ -53,6 +53,8 @@ pub enum StartFrom {
     Mirror,
     /// `halfway = 2`: frames of the halfway model of a sphere eversion, with so many lobes.
     Halfway(usize),
+    /// `from = "figure eight"`: frames of the halfway model of a torus eversion.
+    FigureEight,
     /// `file = "…"`: frames of another mesh with the same connectivity.
     File(PathBuf),
 }

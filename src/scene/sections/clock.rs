@@ -20,7 +20,7 @@ pub(super) fn clock(table: &mut Table) -> ClockSection {
         end: table.key("end", "Time of the last frame or, in a film that loops, of the one after it.").or(default.end),
         looping: table.key("loop", "Whether the first frame comes after the last one again.").or(default.looping),
         both_ways: table
-            .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere turns inside out.")
+            .key("both_ways", "Whether the film begins in its middle, on the halfway model of [start]: one way down from there is played backwards, then the other, so that a sphere or a torus turns inside out.")
             .or(default.both_ways),
         fold: table.choice_or("fold", "What happens when something would fold on the way from one frame to the next, on which vertices move on straight lines: \"allow\", or \"refuse\": the frame is made again, nearer to the one before or in smaller parts, and if something folds all the same the film ends with an error.", &[("allow", Fold::Allow), ("refuse", Fold::Refuse)], default.fold),
         steps_per_frame: table

@@ -26,6 +26,7 @@ pub(super) fn mesh(table: &mut Table) -> (MeshSection, Option<Weld>) {
             ("sphere", "A sphere of nearly equilateral triangles.", sphere),
             ("uv_sphere", "A sphere of meridians and parallels.", uv_sphere),
             ("octasphere", "A sphere with the symmetry of an octahedron or of another bipyramid around the z axis.", octasphere),
+            ("halfway", "The halfway model of a sphere eversion, around the z axis: Morin's surface, Boy's surface twice covered, and so on.", halfway),
             ("flat_torus", "A parallelogram with opposite sides glued, known by its lengths alone.", flat_torus),
             ("torus", "A torus of revolution around the z axis.", torus),
             ("cylinder", "A cylinder without lids around the z axis.", cylinder),
@@ -113,6 +114,24 @@ fn octasphere(table: &mut Table) -> Shape {
             .at_most(MAX_PARTS)
             .or(24),
         sides: count(table, "sides", "Corners of the equator, 4 of an octahedron.", limits::LEAST_SIDES, 4),
+    }
+}
+
+fn halfway(table: &mut Table) -> Shape {
+    Shape::Halfway {
+        lobes: table
+            .key("lobes", "Lobes: 2 is Morin's surface, 3 Boy's surface twice covered.")
+            .at_least(limits::LEAST_LOBES as f64)
+            .at_most(limits::MOST_LOBES as f64)
+            .or(2),
+        subdivisions: table
+            .key(
+                "subdivisions",
+                "Parts into which each edge of an octasphere is divided; there are 4 lobes subdivisions² triangles.",
+            )
+            .at_least(limits::LEAST_SUBDIVISIONS as f64)
+            .at_most(MAX_PARTS)
+            .or(40),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::evolve::Orientation;
 use crate::immersion::Noise;
+use crate::mesh::shapes::limits::{LEAST_LOBES, MOST_LOBES};
 use crate::scene::data::{StartFrom, StartSection};
 use crate::scene::keys::Table;
 
@@ -11,9 +12,15 @@ pub(super) fn start(table: &mut Table) -> StartSection {
         .optional(7);
     let from = table.choice(
         "from",
-        "Begins with the mesh's positions, with their mirror image, or with the smoothest face frames that there are \
-         (the lowest modes of the connection Laplacian).",
-        &[("mesh", StartFrom::Mesh), ("mirror", StartFrom::Mirror), ("spectral", StartFrom::Spectral)],
+        "Begins with the mesh's positions, with their mirror image, with the smoothest face frames that there are \
+         (the lowest modes of the connection Laplacian), or with a torus as a ring whose cross-section is a figure eight, \
+         the halfway model of a torus eversion.",
+        &[
+            ("mesh", StartFrom::Mesh),
+            ("mirror", StartFrom::Mirror),
+            ("spectral", StartFrom::Spectral),
+            ("figure eight", StartFrom::FigureEight),
+        ],
     );
     let file = table
         .key::<String>(
@@ -26,8 +33,8 @@ pub(super) fn start(table: &mut Table) -> StartSection {
             "halfway",
             "Begins with the halfway model of a sphere eversion, with so many lobes: 2 is Morin's surface, 3 Boy's surface twice covered.",
         )
-        .at_least(2.0)
-        .at_most(MOST_LOBES)
+        .at_least(LEAST_LOBES as f64)
+        .at_most(MOST_LOBES as f64)
         .optional(2);
     table.only_one_of(&["random", "from", "file", "halfway"]);
     let section = StartSection {
@@ -57,9 +64,6 @@ pub(super) fn start(table: &mut Table) -> StartSection {
     }
     section
 }
-
-/// With more of them triangles of any mesh get too thin.
-const MOST_LOBES: f64 = 12.0;
 
 fn noise(table: &mut Table) -> Noise {
     Noise {

@@ -96,6 +96,8 @@ fn least_sizes_are_the_same_in_scenes_and_shapes() {
         ("'uv_sphere'\nparallels = {}", "parallels"),
         ("'octasphere'\nsubdivisions = {}", "subdivisions"),
         ("'octasphere'\nsides = {}", "sides"),
+        ("'halfway'\nsubdivisions = {}", "subdivisions"),
+        ("'halfway'\nlobes = {}", "lobes"),
         ("'flat_torus'\ngrid = 'square'\ncolumns = {}\nrows = 3", "columns"),
         ("'flat_torus'\ngrid = 'square'\nrows = {}", "rows"),
         ("'torus'\nrows = {}", "rows"),

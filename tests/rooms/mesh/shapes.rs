@@ -91,6 +91,18 @@ fn octaspheres() {
 }
 
 #[test]
+fn halfway_models() {
+    for (lobes, n) in [(2, 9), (3, 5), (4, 4)] {
+        let surface = make(Shape::Halfway { lobes, subdivisions: n });
+        assert_topology(&surface.mesh, 2, 0, 0);
+        assert_eq!(surface.mesh.face_count(), 4 * lobes * n * n);
+        // Half of what it encloses counts against the other half.
+        assert!(volume(&surface).abs() < 1e-12);
+        assert!(surface.positions.as_ref().unwrap().iter().all(|p| p.is_finite() && p.length() < 10.0));
+    }
+}
+
+#[test]
 fn uv_spheres() {
     for (meridians, parallels) in [(3, 1), (12, 2), (48, 24)] {
         let surface = make(Shape::UvSphere { radius: 0.5, meridians, parallels });
@@ -480,6 +492,7 @@ fn impossible_parameters_are_refused_with_a_remedy() {
         Shape::Octasphere { radius: 1.0, subdivisions: 3, sides: 2 },
         &["octasphere", "`sides` is 2", "at least 3"],
     );
+    refused(Shape::Halfway { lobes: 1, subdivisions: 3 }, &["halfway", "`lobes` is 1", "at least 2"]);
     refused(torus(a, b, 2, 4, Grid::Square), &["flat_torus", "`columns` is 2"]);
     refused(torus(a, b, 5, 5, Grid::Equilateral), &["`rows` is 5", "even", "square"]);
     refused(torus(a, [2.0, 0.0], 5, 5, Grid::Square), &["parallel"]);

@@ -1,13 +1,14 @@
-//! Halfway models, and spheres that turn inside out over them.
+//! Halfway models, and spheres and tori that turn inside out over them.
 
 use glam::DVec3;
 use immerse::Metric;
 use immerse::evolve::Unobserved;
-use immerse::immersion::{Halfway, enclosed_volume, l2_length_error, pinch_points};
+use immerse::homotopy::Homotopy;
+use immerse::immersion::{enclosed_volume, l2_length_error, pinch_points};
 use immerse::mesh::Mesh;
-use immerse::mesh::shapes;
+use immerse::mesh::shapes::{self, Halfway};
 use immerse::metric::lengths_of_positions;
-use immerse::polish::SideExchange;
+use immerse::polish::Exchange;
 use std::f64::consts::PI;
 
 use crate::support::scene;
@@ -21,7 +22,7 @@ fn octasphere(subdivisions: usize, sides: usize) -> (Mesh, Vec<DVec3>) {
 fn halfway_models_are_taken_to_themselves_with_their_sides_exchanged() {
     for lobes in [2, 3, 4] {
         let (mesh, sphere) = octasphere(9, 2 * lobes);
-        let exchange = SideExchange::of_sphere(&sphere, lobes).expect("a symmetric mesh");
+        let exchange = Exchange::of_sphere(&sphere, lobes).expect("a symmetric mesh");
         let model = Halfway { lobes, time: 0.0 }.of_sphere(&sphere);
         let off = |a: &[DVec3], b: &[DVec3]| a.iter().zip(b).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
         assert!(off(&exchange.exchanged(&model), &model) < 1e-12, "{lobes} lobes");
@@ -37,10 +38,10 @@ fn halfway_models_are_taken_to_themselves_with_their_sides_exchanged() {
 #[test]
 fn a_mesh_without_the_symmetry_is_refused() {
     let (_, sphere) = octasphere(5, 6);
-    let error = SideExchange::of_sphere(&sphere, 2).expect_err("six sides have no quarter turn");
+    let error = Exchange::of_sphere(&sphere, 2).expect_err("six sides have no quarter turn");
     assert!(error.to_string().contains("90°"), "{error}");
     let icosphere = shapes::sphere(1.0, 4).expect("a sphere").positions.expect("positions");
-    assert!(SideExchange::of_sphere(&icosphere, 2).is_err());
+    assert!(Exchange::of_sphere(&icosphere, 2).is_err());
 }
 
 /// Small enough for a test, and so stretched more than the film that ships.
@@ -65,7 +66,7 @@ fn a_sphere_turns_inside_out() {
         assert!(l2_length_error(&mesh, &metric, &frame.positions) < 0.08);
     }
     // One half is the other one, turned. Which of them was computed decides how a turn back is rounded.
-    let exchange = SideExchange::of_sphere(&sphere, 2).expect("a symmetric mesh");
+    let exchange = Exchange::of_sphere(&sphere, 2).expect("a symmetric mesh");
     for k in 0..40 {
         let other = exchange.exchanged(&frames[80 - k].positions);
         let off = other.iter().zip(&frames[k].positions).map(|(a, b)| a.distance(*b)).fold(0.0, f64::max);
@@ -109,4 +110,41 @@ fn what_goes_with_frames_alone_is_refused() {
     let icosphere = SMALL.replace("'octasphere'", "'sphere'");
     let error = scene(&icosphere).simulation().expect_err("no symmetry");
     assert!(error.to_string().contains("octasphere"), "{error}");
+}
+
+/// A ring of figure eights with the lengths of a flat torus.
+const RING: &str = "[mesh]\nshape = 'flat_torus'\na = [4.8, 0]\nb = [0, 1.0392304845]\ncolumns = 48\nrows = 12\n[spin]\nclass = '10'\n\
+                    [start]\nfrom = 'figure eight'\n[bending]\nbending_stiffness = 0.003\n[clock]\nboth_ways = true\nframes = 61\n";
+
+#[test]
+fn a_flat_torus_turns_inside_out() {
+    let mut simulation = scene(RING).simulation().expect("a simulation");
+    let frames: Vec<_> = (0..61).map(|_| simulation.next_frame(&mut Unobserved).expect("a frame")).collect();
+    let mut homotopy = Homotopy::new(simulation.mesh());
+    for frame in &frames {
+        assert_eq!((frame.report.rims, frame.report.pinch_points), (0, 0), "frame {}", frame.report.frame);
+        assert!(frame.report.l2_length_error < 0.06, "frame {}", frame.report.frame);
+        homotopy.append(frame.positions.clone()).expect("a surface of the mesh");
+    }
+    assert!(homotopy.events().is_empty());
+    for k in [0, 60] {
+        assert!(frames[k].report.l2_length_error < 1.5e-3, "{}", frames[k].report.l2_length_error);
+    }
+    // The eight turns by half a turn: what was above the crossing is below it in the end, all along the ring.
+    let above = |k: usize, j: usize| {
+        let height = |j: usize| (0..48).map(|i| frames[k].positions[48 * j + i].z).sum::<f64>() / 48.0;
+        height(j) - height(3)
+    };
+    assert!(above(0, 0) * above(60, 0) < 0.0 && above(0, 6) * above(60, 6) < 0.0);
+    assert!(above(0, 0) * above(0, 6) < 0.0);
+}
+
+#[test]
+fn a_ring_of_eights_takes_a_rectangle() {
+    for (from, to) in [("b = [0,", "b = [1,"), ("shape = 'flat_torus'", "shape = 'flat_torus'\ngrid = 'square'")] {
+        let error = scene(&RING.replace(from, to)).simulation().expect_err("no rectangle");
+        assert!(error.to_string().contains("perpendicular"), "{error}");
+    }
+    let error = scene(&SMALL.replace("halfway = 2", "from = 'figure eight'")).simulation().expect_err("a sphere");
+    assert!(error.to_string().contains("ring of a figure eight"), "{error}");
 }

@@ -35,7 +35,7 @@ fn unknown_names() {
     one("[mesh]\nshape = ^'spere'\nwhatever = 1", "there is no shape `spere`", "did you mean `sphere`?");
     one("[mesh]\nshape = 'sphere'\n^minor_radius = 2", "no `minor_radius` in [mesh]", "`radius` and `subdivisions`");
     one("[mesh]\nshape = 'flat_torus'\ngrid = ^'Squared'", "there is no grid `Squared`", "did you mean `square`?");
-    one("[start]\nfrom = ^'center'", "there is no from `center`", "the names are `mesh`, `mirror` and `spectral`");
+    one("[start]\nfrom = ^'center'", "there is no from `center`", "`spectral` and `figure eight`");
     one("[output]\nformat = ['png', ^'ext']", "there is no format `ext`", "did you mean `exr`?");
     one("[mesh]\nshape = 'implicit'\nparts = [{ sphere = { ^radus = 1, radius = 1 } }]", "no `radus`", "`radius`");
     one("[[phase]]\n[[phase]]\n^max-steps = 2", "there is no `max-steps` in [[phase]]", "did you mean `max_steps`?");

@@ -28,7 +28,7 @@ fn every_section_is_in_the_schema_with_its_bounds_and_defaults() {
 fn parameters_of_a_shape_stand_beside_its_name_and_the_tree_of_solids_refers_to_itself() {
     let schema = Scene::schema();
     let rules = schema.pointer("/properties/mesh/allOf").and_then(Value::as_array).unwrap();
-    assert_eq!(rules.len(), 11);
+    assert_eq!(rules.len(), 12);
     let implicit = rules.iter().find(|rule| rule.pointer("/if/properties/shape/const").unwrap() == "implicit").unwrap();
     let items = implicit.pointer("/then/properties/parts/items").unwrap();
     assert_eq!(items["$anchor"], "parts");

@@ -164,6 +164,7 @@ fn every_shape_is_read_with_its_defaults() {
     assert_eq!(shape("shape = 'uv_sphere'"), Shape::UvSphere { radius: 1.0, meridians: 48, parallels: 24 });
     let octasphere = Shape::Octasphere { radius: 1.0, subdivisions: 24, sides: 4 };
     assert_eq!(shape("shape = 'octasphere'"), octasphere);
+    assert_eq!(shape("shape = 'halfway'\nlobes = 3"), Shape::Halfway { lobes: 3, subdivisions: 40 });
     assert_eq!(
         shape("shape = 'flat_torus'\ngrid = 'square'\nb = [1, 1]"),
         Shape::FlatTorus { a: [3.0, 0.0], b: [1.0, 1.0], columns: 60, rows: 50, grid: Grid::Square }
