@@ -1,4 +1,4 @@
-//! What nobody means well: every case is answered with exit code 2 and one sentence, in less than 0.2 s and 64 MB.
+//! What nobody means well: every case is answered with exit code 2 and one sentence, in less than a second and 64 MB.
 //!
 //! The program runs as a child of `sh`, which limits its memory (`ulimit -d`, the bytes that a process may write to) and
 //! tells its processor time (`times`), which does not depend on how busy the machine is. A panic, an abort for want of
@@ -12,8 +12,9 @@ use std::path::Path;
 use std::process::Command;
 
 const MOST_KILOBYTES: usize = 64 << 10;
-/// Of processor time.
-const MOST_SECONDS: f64 = 0.2;
+/// Of processor time. Ten thousand tables take 0.15 s to be parsed as TOML, more on processors that others use, too; what does not grow in
+/// proportion takes many seconds at these sizes.
+const MOST_SECONDS: f64 = 1.0;
 
 /// Runs the program in a folder, and returns its code, what it says and how many seconds it took.
 fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, f64) {
