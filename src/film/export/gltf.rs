@@ -89,7 +89,7 @@ impl Layout for Gltf<'_> {
         let Subject { vertices, triangles, colors, name, made_by, frame_rate, .. } = self.subject;
         let targets = frames.len().saturating_sub(1);
         let [corners, points] = [3 * 4 * triangles.len(), POINT * vertices];
-        // Nothing has been written yet where only the size is asked for.
+        // Nothing has been written yet where only names are asked for.
         let base = pieces.first().map_or(corners, |written| *written as usize);
         let has_colors = base > corners + 2 * points;
         let morphs = pieces.get(1).copied().unwrap_or(0) as usize;
