@@ -42,11 +42,12 @@ pub(super) struct Products {
     pub scratch: Scratch,
 }
 
-/// [`finish`], to be dispatched.
+/// The dense factorization of a panel that has taken everything; else it says the column whose pivot is not positive.
 pub(super) struct Finish<'a> {
     pub part: Part<'a>,
     pub height: usize,
     pub products: &'a mut Products,
+    /// Whether strips of columns take from finished ones side by side.
     pub in_strips: bool,
 }
 
@@ -55,54 +56,42 @@ impl WithSimd for Finish<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Result<(), usize> {
-        finish(simd, self.part, self.height, self.products, self.in_strips)
-    }
-}
-
-/// The dense factorization of a panel that has taken everything; else the column whose pivot is not positive.
-#[inline(always)]
-pub(super) fn finish<S: Simd>(
-    simd: S,
-    mut part: Part,
-    height: usize,
-    products: &mut Products,
-    in_strips: bool,
-) -> Result<(), usize> {
-    let width = part.real.len() / height;
-    let Products { rows: numbers, scratch, .. } = products;
-    numbers.clear();
-    numbers.extend(0..height as u32);
-    for begin in (0..width).step_by(FEW) {
-        let few = FEW.min(width - begin);
-        let (before, mut from) = part.reborrow().split(begin * height);
-        if begin > 0 {
-            // By halves: as many columns as are behind since the last larger power of two, to as many ahead.
-            let reach = begin & begin.wrapping_neg();
-            let ahead = reach.min(width - begin);
-            let (target, _) = from.reborrow().split(ahead * height);
-            let ahead = Ahead { real: before.real, imaginary: before.imaginary, begin, reach, height, numbers };
-            if in_strips && target.real.len() > STRIP * height {
-                target
-                    .strips(height)
-                    .into_par_iter()
-                    .with_max_len(1)
-                    .for_each_init(Scratch::default, |scratch, (first, part)| {
-                        Arch::new().dispatch(TakeAhead { ahead, first, part, scratch })
-                    });
-            } else {
-                ahead.take(simd, 0, target, scratch);
+        let Finish { mut part, height, products, in_strips } = self;
+        let width = part.real.len() / height;
+        let Products { rows: numbers, scratch, .. } = products;
+        numbers.clear();
+        numbers.extend(0..height as u32);
+        for begin in (0..width).step_by(FEW) {
+            let few = FEW.min(width - begin);
+            let (before, mut from) = part.reborrow().split(begin * height);
+            if begin > 0 {
+                // By halves: as many columns as are behind since the last larger power of two, to as many ahead.
+                let reach = begin & begin.wrapping_neg();
+                let (target, _) = from.reborrow().split(reach.min(width - begin) * height);
+                let done = Done { real: before.real, imaginary: before.imaginary, begin, reach, height, numbers };
+                if in_strips && target.real.len() > STRIP * height {
+                    target
+                        .strips(height)
+                        .into_par_iter()
+                        .with_max_len(1)
+                        .for_each_init(Scratch::default, |scratch, (first, part)| {
+                            Arch::new().dispatch(TakeDone { done, first, part, scratch })
+                        });
+                } else {
+                    TakeDone { done, first: 0, part: target, scratch }.with_simd(simd);
+                }
+            }
+            for k in 0..few {
+                finish_column(from.real, from.imaginary, height, begin, k, few).ok_or(begin + k)?;
             }
         }
-        for k in 0..few {
-            finish_column(from.real, from.imaginary, height, begin, k, few).ok_or(begin + k)?;
-        }
+        Ok(())
     }
-    Ok(())
 }
 
-/// Columns of a panel that are finished, for those that follow.
+/// Columns of a panel that are finished.
 #[derive(Clone, Copy)]
-struct Ahead<'a> {
+struct Done<'a> {
     real: &'a [f64],
     imaginary: &'a [f64],
     /// The first that follows.
@@ -113,11 +102,21 @@ struct Ahead<'a> {
     numbers: &'a [u32],
 }
 
-impl Ahead<'_> {
-    /// Takes them from columns of which the first is `first` after the first that follows.
+/// Takes finished columns of a panel from later ones, of which the first is `first` after the first that follows.
+struct TakeDone<'a> {
+    done: Done<'a>,
+    first: usize,
+    part: Part<'a>,
+    scratch: &'a mut Scratch,
+}
+
+impl WithSimd for TakeDone<'_> {
+    type Output = ();
+
     #[inline(always)]
-    fn take<S: Simd>(self, simd: S, first: usize, part: Part, scratch: &mut Scratch) {
-        let Ahead { real, imaginary, begin, reach, height, numbers } = self;
+    fn with_simd<S: Simd>(self, simd: S) {
+        let TakeDone { done, first, part, scratch } = self;
+        let Done { real, imaginary, begin, reach, height, numbers } = done;
         let place = (begin - reach) * height + begin + first;
         let source = Source {
             real: &real[place..],
@@ -128,22 +127,6 @@ impl Ahead<'_> {
         let (rows, columns) = (&numbers[begin + first..], &numbers[..part.real.len() / height]);
         let target = Target { real: part.real, imaginary: part.imaginary, height, columns, rows };
         subtract_product(simd, source, target, scratch);
-    }
-}
-
-struct TakeAhead<'a> {
-    ahead: Ahead<'a>,
-    first: usize,
-    part: Part<'a>,
-    scratch: &'a mut Scratch,
-}
-
-impl WithSimd for TakeAhead<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        self.ahead.take(simd, self.first, self.part, self.scratch);
     }
 }
 

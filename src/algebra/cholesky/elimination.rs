@@ -48,18 +48,18 @@ impl Elimination {
             let mut d = std::mem::replace(&mut first_with_rows_in[s], NONE);
             while d != NONE {
                 let finished = d as usize;
-                let update = d;
-                d = next[finished];
                 let below = supernodes.below(finished);
                 let from = pending[finished];
                 let until = from + below[from..].partition_point(|&row| (row as usize) < columns.end);
-                updates.push(Update { from: update, rows: [from as u32, until as u32] });
+                updates.push(Update { from: d, rows: [from as u32, until as u32] });
                 work[s] += (supernodes.columns(finished).len() * (until - from) * (below.len() - from)) as f64;
                 pending[finished] = until;
+                let after = next[finished];
                 if let Some(&row) = below.get(until) {
                     let later = supernodes.of_row[row as usize] as usize;
-                    next[finished] = std::mem::replace(&mut first_with_rows_in[later], update);
+                    next[finished] = std::mem::replace(&mut first_with_rows_in[later], d);
                 }
+                d = after;
             }
             begins.push(updates.len());
             work[s] += 0.5 * (columns.len() * columns.len() * supernodes.height(s)) as f64;

@@ -1,6 +1,6 @@
 //! From the lower triangle of a matrix to its Cholesky factor, panel by panel.
 
-use super::dense::{Finish, Part, Products, STRIP, finish};
+use super::dense::{Finish, Part, Products, STRIP};
 use super::elimination::{Elimination, Update};
 use super::products::{Source, Target, subtract_product};
 use super::supernodes::Supernodes;
@@ -44,12 +44,12 @@ pub(super) fn factorize(
         (rest, begin) = (after, ends[1].end);
         branches.push((branch.clone(), own));
     }
-    branches
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|(branch, panels)| Arch::new().dispatch(Branch { plan, branch, panels }))
-        .reduce(|| Ok(()), Result::and)?;
-    let mut trunk = Workspace::of(supernodes);
+    let workspace = || Workspace::of(supernodes);
+    let eliminate = |workspace: &mut Workspace, (branch, panels): (Range<usize>, Part)| {
+        Arch::new().dispatch(Branch { plan, branch, panels, workspace })
+    };
+    branches.into_par_iter().map_init(workspace, eliminate).reduce(|| Ok(()), Result::and)?;
+    let mut trunk = workspace();
     for &s in &elimination.trunk {
         let panel = supernodes.panel(s);
         let (before, from) = Part { real: &mut *real, imaginary: &mut *imaginary }.split(panel.start);
@@ -61,7 +61,7 @@ pub(super) fn factorize(
     Ok(())
 }
 
-/// What is used again and again on one thread.
+/// What is used again and again on one thread, for any supernodes.
 struct Workspace {
     /// Per row of the panel at hand: which one it is there.
     local: Vec<u32>,
@@ -90,6 +90,7 @@ struct Branch<'a> {
     plan: Plan<'a>,
     branch: Range<usize>,
     panels: Part<'a>,
+    workspace: &'a mut Workspace,
 }
 
 impl WithSimd for Branch<'_> {
@@ -97,22 +98,22 @@ impl WithSimd for Branch<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Result<(), usize> {
-        let Branch { plan, branch, mut panels } = self;
+        let Branch { plan, branch, mut panels, workspace } = self;
         let Plan { supernodes, elimination } = plan;
         let begin = supernodes.panel(branch.start).start;
-        let mut workspace = Workspace::of(supernodes);
         for s in branch {
             let panel = supernodes.panel(s);
             let (before, from) = panels.reborrow().split(panel.start - begin);
             let (mut own, _) = from.split(panel.len());
             let finished = Finished { real: before.real, imaginary: before.imaginary, begin };
             workspace.enter(supernodes, s);
-            let Workspace { local, products } = &mut workspace;
-            let columns = 0..supernodes.columns(s).len();
-            let height = supernodes.height(s);
-            let updates = elimination.updates(s);
-            take(simd, supernodes, updates, finished, local, (columns, height), own.reborrow(), products);
-            finish(simd, own, height, products, false).map_err(|column| supernodes.columns(s).start + column)?;
+            let Workspace { local, products } = &mut *workspace;
+            let (columns, height) = (supernodes.columns(s), supernodes.height(s));
+            let (updates, part) = (elimination.updates(s), own.reborrow());
+            let all = 0..columns.len();
+            Take { supernodes, updates, finished, local, columns: all, height, part, products }.with_simd(simd);
+            let finish = Finish { part: own, height, products, in_strips: false };
+            finish.with_simd(simd).map_err(|column| columns.start + column)?;
         }
         Ok(())
     }
@@ -125,16 +126,8 @@ impl Plan<'_> {
         let (columns, height, updates) = (supernodes.columns(s), supernodes.height(s), elimination.updates(s));
         let in_strips = columns.len() > STRIP && columns.len() * columns.len() * height >= WORK_OF_STRIPS;
         let Workspace { local, products } = workspace;
-        let take_into = |range: Range<usize>, part: Part, products: &mut Products| {
-            Arch::new().dispatch(Take {
-                supernodes,
-                updates,
-                finished,
-                local,
-                columns: (range, height),
-                part,
-                products,
-            });
+        let take_into = |columns: Range<usize>, part: Part, products: &mut Products| {
+            Arch::new().dispatch(Take { supernodes, updates, finished, local, columns, height, part, products });
         };
         if in_strips {
             own.reborrow().strips(height).into_par_iter().with_max_len(1).for_each_init(
@@ -151,12 +144,16 @@ impl Plan<'_> {
     }
 }
 
+/// Takes from some columns of a panel what finished ones have in them.
 struct Take<'a> {
     supernodes: &'a Supernodes,
     updates: &'a [Update],
     finished: Finished<'a>,
+    /// Per row: which one it is in the panel.
     local: &'a [u32],
-    columns: (Range<usize>, usize),
+    /// Of the panel.
+    columns: Range<usize>,
+    height: usize,
     part: Part<'a>,
     products: &'a mut Products,
 }
@@ -166,50 +163,32 @@ impl WithSimd for Take<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Take { supernodes, updates, finished, local, columns, part, products } = self;
-        take(simd, supernodes, updates, finished, local, columns, part, products);
-    }
-}
-
-/// Takes from columns of a panel what finished ones have in them. `columns` also says how high the panel is.
-#[inline(always)]
-#[expect(
-    clippy::too_many_arguments,
-    reason = "one loop, which is called on threads of its own and within another loop"
-)]
-fn take<S: Simd>(
-    simd: S,
-    supernodes: &Supernodes,
-    updates: &[Update],
-    finished: Finished,
-    local: &[u32],
-    (strip, height): (Range<usize>, usize),
-    part: Part,
-    Products { rows, columns, scratch }: &mut Products,
-) {
-    for Update { from, rows: [begin, end] } in updates {
-        let source = *from as usize;
-        let below = supernodes.below(source);
-        let within = &below[*begin as usize..*end as usize];
-        let before = |column: usize| within.partition_point(|&row| (local[row as usize] as usize) < column);
-        let [first, last] = [before(strip.start), before(strip.end)];
-        if first == last {
-            continue;
+        let Take { supernodes, updates, finished, local, columns: strip, height, part, products } = self;
+        let Products { rows, columns, scratch } = products;
+        for Update { from, rows: [begin, end] } in updates {
+            let source = *from as usize;
+            let below = supernodes.below(source);
+            let within = &below[*begin as usize..*end as usize];
+            let before = |column: usize| within.partition_point(|&row| (local[row as usize] as usize) < column);
+            let [first, last] = [before(strip.start), before(strip.end)];
+            if first == last {
+                continue;
+            }
+            let skipped = *begin as usize + first;
+            rows.clear();
+            rows.extend(below[skipped..].iter().map(|&row| local[row as usize]));
+            columns.clear();
+            columns.extend(rows[..last - first].iter().map(|&row| row - strip.start as u32));
+            let width = supernodes.columns(source).len();
+            let place = supernodes.panel(source).start + width + skipped - finished.begin;
+            let source = Source {
+                real: &finished.real[place..],
+                imaginary: finished.imaginary.get(place..).unwrap_or_default(),
+                height: supernodes.height(source),
+                width,
+            };
+            let target = Target { real: part.real, imaginary: part.imaginary, height, columns, rows };
+            subtract_product(simd, source, target, scratch);
         }
-        let skipped = *begin as usize + first;
-        rows.clear();
-        rows.extend(below[skipped..].iter().map(|&row| local[row as usize]));
-        columns.clear();
-        columns.extend(rows[..last - first].iter().map(|&row| row - strip.start as u32));
-        let width = supernodes.columns(source).len();
-        let place = supernodes.panel(source).start + width + skipped - finished.begin;
-        let source = Source {
-            real: &finished.real[place..],
-            imaginary: finished.imaginary.get(place..).unwrap_or_default(),
-            height: supernodes.height(source),
-            width,
-        };
-        let target = Target { real: part.real, imaginary: part.imaginary, height, columns, rows };
-        subtract_product(simd, source, target, scratch);
     }
 }
