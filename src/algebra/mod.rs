@@ -1,4 +1,4 @@
-//! Quaternions, 4×4-block sparse matrices and linear solvers.
+//! Quaternions, 4×4-block sparse matrices and linear solvers; boxes that overlap.
 
 pub mod quaternion;
 
@@ -9,6 +9,7 @@ mod complex;
 mod conjugate_gradient;
 mod incomplete_cholesky;
 mod inner_product;
+mod overlaps;
 mod principal_axes;
 mod strips;
 
@@ -19,5 +20,6 @@ pub use complex::Complex;
 pub use conjugate_gradient::{ConjugateGradient, SolveReport};
 pub use incomplete_cholesky::IncompleteCholesky;
 pub use inner_product::inner_product;
+pub use overlaps::{Box3, box_of, common, overlaps, share_a_vertex};
 pub use principal_axes::{principal_axes, upright_sign};
 pub use strips::BlockPattern;

@@ -1,4 +1,4 @@
-//! Triangles whose boxes overlap.
+//! Boxes that overlap, and triangles that may cross because theirs do.
 
 use glam::DVec3;
 use obvhs::aabb::Aabb;
@@ -8,30 +8,36 @@ use rayon::prelude::*;
 use std::time::Duration;
 
 /// An axis-parallel box: its least corner and its greatest.
-pub(super) type Box3 = [DVec3; 2];
+pub type Box3 = [DVec3; 2];
 
 /// How much larger boxes in single precision are, as a share of the size of all.
 const MARGIN: f32 = 1e-6;
+/// Boxes that are looked at together.
+const TASK: usize = 256;
 
 /// The smallest box around some points.
-pub(super) fn box_of(points: impl Iterator<Item = DVec3>) -> Box3 {
+pub fn box_of(points: impl Iterator<Item = DVec3>) -> Box3 {
     points.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], point| [low.min(point), high.max(point)])
 }
 
 /// What boxes have in common, if they have.
-pub(super) fn common(one: Box3, other: Box3) -> Option<Box3> {
+pub fn common(one: Box3, other: Box3) -> Option<Box3> {
     let [low, high] = [one[0].max(other[0]), one[1].min(other[1])];
     low.cmple(high).all().then_some([low, high])
 }
 
-/// Of each box, in order, those after it that it overlaps and of which something is known.
-pub(super) fn overlaps<T: Send>(
-    boxes: &[Box3],
-    what: impl Fn(usize, usize) -> Option<T> + Sync,
-) -> Vec<Vec<(usize, T)>> {
+/// Whether triangles have a vertex in common.
+pub fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
+    one.iter().any(|v| other.contains(v))
+}
+
+/// What there is to say of pairs of boxes that overlap or nearly do, in order: the number of the first one, then that of the other, which
+/// is greater. All corners must be finite.
+pub fn overlaps<T: Send>(boxes: &[Box3], what: impl Fn(usize, usize) -> Option<T> + Sync) -> Vec<T> {
     let Some(&[origin, _]) = boxes.first() else { return Vec::new() };
+    // Boxes are in single precision, around a corner, and a little too large.
     let single: Vec<Boxed> = boxes
-        .iter()
+        .par_iter()
         .map(|corners| {
             let [min, max] = corners.map(|corner| (corner - origin).as_vec3a());
             Boxed(Aabb { min, max })
@@ -52,9 +58,10 @@ pub(super) fn overlaps<T: Send>(
             true
         });
         partners.sort_unstable();
-        partners.into_iter().filter_map(|other| Some((other, what(index, other)?))).collect()
+        let what = &what;
+        partners.into_iter().filter_map(move |other| what(index, other))
     };
-    (0..boxes.len()).into_par_iter().with_min_len(64).map(of_one).collect()
+    (0..boxes.len()).into_par_iter().with_min_len(TASK).flat_map_iter(of_one).collect()
 }
 
 struct Boxed(Aabb);

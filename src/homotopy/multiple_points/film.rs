@@ -2,8 +2,8 @@
 
 use super::general_position::in_general_position;
 use super::moment::{Moment, moments};
-use super::near::box_of;
 use super::surface::Sheets;
+use crate::algebra::box_of;
 use crate::mesh::{FaceId, Mesh};
 use glam::DVec3;
 

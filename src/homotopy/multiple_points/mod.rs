@@ -1,6 +1,6 @@
 //! Where sheets of a surface pass through each other: double curves, triple points, and the moments at which four sheets meet in a point.
 //!
-//! `near` finds triangles that may meet. `surface` counts what is there on one surface, and `moment` finds quadruple points between two:
+//! Triangles that may meet are those whose boxes overlap. `surface` counts what is there on one surface, and `moment` finds quadruple points between two:
 //! four planes that move have a point in common when a determinant, of degree 9 in time, is zero. `film` puts both together.
 //!
 //! Films of symmetric surfaces pass through some on which sheets meet at corners and along edges. So every vertex is moved a little first,
@@ -13,7 +13,6 @@
 mod film;
 mod general_position;
 mod moment;
-mod near;
 mod surface;
 
 pub use film::{MultiplePoints, QuadruplePoint};

@@ -1,7 +1,7 @@
 //! When four triangles that move have a point in common.
 
-use super::near::{Box3, box_of, common, overlaps};
-use super::surface::{common_point, is_inside, share_a_vertex};
+use super::surface::{common_point, is_inside};
+use crate::algebra::{Box3, box_of, common, overlaps, share_a_vertex};
 use crate::homotopy::ball::Ball;
 use crate::homotopy::exact::integers;
 use crate::homotopy::form::{common_sign, halves, sign_after_start, sign_before_end, variations};
@@ -38,11 +38,13 @@ pub(super) fn moments(triangles: &[[u32; 3]], from: &[DVec3], to: &[DVec3]) -> V
         let may_meet = !share_a_vertex(&triangles[one], &triangles[other])
             && !stay_apart(&corners(one), &corners(other))
             && !stay_apart(&corners(other), &corners(one));
-        may_meet.then_some(())
+        may_meet.then_some((one, other))
     });
-    let is_near = |one: usize, other: usize| near[one].binary_search_by_key(&other, |(other, ())| *other).is_ok();
+    let mut partners_of = vec![Vec::new(); triangles.len()];
+    near.into_iter().for_each(|(one, other)| partners_of[one].push(other));
+    let is_near = |one: usize, other: usize| partners_of[one].binary_search(&other).is_ok();
     let of_first = |a: usize| {
-        let partners: Vec<usize> = near[a].iter().map(|(other, ())| *other).collect();
+        let partners: &[usize] = &partners_of[a];
         let mut found = Vec::new();
         for (k, &b) in partners.iter().enumerate() {
             let Some(two) = common(boxes[a], boxes[b]) else { continue };

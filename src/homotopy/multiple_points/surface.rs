@@ -1,6 +1,6 @@
 //! Double curves and triple points of a surface in general position.
 
-use super::near::{box_of, overlaps};
+use crate::algebra::{box_of, overlaps, share_a_vertex};
 use crate::mesh::union_find::root;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -25,26 +25,24 @@ impl Sheets {
     pub(super) fn of(triangles: &[[u32; 3]], positions: &[DVec3]) -> Sheets {
         let places = |index: usize| triangles[index].map(|v| positions[v as usize]);
         let boxes: Vec<_> = (0..triangles.len()).map(|index| box_of(places(index).into_iter())).collect();
-        let crossings = overlaps(&boxes, |one, other| crossing(triangles, positions, one, other));
-        let crosses =
-            |one: usize, other: usize| crossings[one].binary_search_by_key(&other, |(other, _)| *other).is_ok();
+        let crossings =
+            overlaps(&boxes, |one, other| crossing(triangles, positions, one, other).map(|ends| ([one, other], ends)));
+        let mut partners_of = vec![Vec::new(); triangles.len()];
+        crossings.iter().for_each(|([one, other], _)| partners_of[*one].push(*other));
+        let crosses = |one: usize, other: usize| partners_of[one].binary_search(&other).is_ok();
         let triple_points = (0..triangles.len())
             .map(|a| {
-                let partners = &crossings[a];
-                let triples = partners.iter().enumerate().flat_map(|(k, (b, _))| {
-                    partners[k + 1..].iter().map(|(c, _)| *c).filter(|c| crosses(*b, *c)).map(|c| [a, *b, c])
-                });
+                let partners = &partners_of[a];
+                let triples = partners
+                    .iter()
+                    .enumerate()
+                    .flat_map(|(k, b)| partners[k + 1..].iter().filter(|c| crosses(*b, **c)).map(|c| [a, *b, *c]));
                 triples.filter(|faces| meet(&faces.map(places))).count()
             })
             .sum();
-        let segments: Vec<[Piercing; 2]> = crossings.into_iter().flatten().map(|(_, ends)| ends).collect();
+        let segments: Vec<[Piercing; 2]> = crossings.into_iter().map(|(_, ends)| ends).collect();
         Sheets { double_curves: curves(&segments), double_segments: segments.len(), triple_points }
     }
-}
-
-/// Whether triangles have a vertex in common.
-pub(super) fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
-    one.iter().any(|v| other.contains(v))
 }
 
 /// The point that three planes through triangles have in common, and how far from parallel they are: the volume that
@@ -52,7 +50,7 @@ pub(super) fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
 pub(super) fn common_point(faces: &[[DVec3; 3]; 3]) -> Option<(DVec3, f64)> {
     let origin = faces[0][0];
     let [l, m, n] = faces.map(|[a, b, c]| (b - a).cross(c - a).normalize_or_zero());
-    let [_, q, r] = [l.dot(faces[0][0] - origin), m.dot(faces[1][0] - origin), n.dot(faces[2][0] - origin)];
+    let [q, r] = [m.dot(faces[1][0] - origin), n.dot(faces[2][0] - origin)];
     let volume = l.dot(m.cross(n));
     (volume != 0.0).then(|| (origin + (n.cross(l) * q + l.cross(m) * r) / volume, volume.abs()))
 }

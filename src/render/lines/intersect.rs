@@ -1,10 +1,9 @@
 //! Where a surface passes through itself.
 
 use glam::DVec3;
-use obvhs::{BvhBuildParams, aabb::Aabb, bvh2::builder::build_bvh2_from_tris, triangle::Triangle};
 use rayon::prelude::*;
-use std::time::Duration;
 
+use crate::algebra::{box_of, overlaps, share_a_vertex};
 use crate::render::Plane;
 
 /// Where two triangles cross.
@@ -29,45 +28,15 @@ pub fn cuts(triangles: &[[u32; 3]], positions: &[DVec3], plane: Plane) -> Vec<[D
 ///
 /// Triangles that lie in one plane cross nowhere. All corners must be finite.
 pub fn self_intersections(triangles: &[[u32; 3]], positions: &[DVec3]) -> Vec<Crossing> {
-    let Some(&[first, ..]) = triangles.first() else { return Vec::new() };
-    // Boxes are in single precision, around a corner of the surface, and a little too large.
-    let origin = positions[first as usize];
     let corners = |index: usize| triangles[index].map(|vertex| positions[vertex as usize]);
-    let boxed: Vec<Triangle> = (0..triangles.len())
-        .into_par_iter()
-        .map(|index| {
-            let [v0, v1, v2] = corners(index).map(|corner| (corner - origin).as_vec3a());
-            Triangle { v0, v1, v2 }
-        })
-        .collect();
-    let size = boxed.iter().fold(0.0_f32, |size, triangle| size.max(triangle.v0.abs().max_element()));
-    let tree = build_bvh2_from_tris(&boxed, BvhBuildParams::fast_build(), &mut Duration::default());
-    (0..triangles.len())
-        .into_par_iter()
-        .with_min_len(256)
-        .flat_map_iter(|index| {
-            let mut partners = Vec::new();
-            let Aabb { min, max } = boxed[index].aabb();
-            let near = Aabb { min: min - 1e-6 * size, max: max + 1e-6 * size };
-            tree.aabb_traverse(near, |tree, node| {
-                let node = &tree.nodes[node as usize];
-                let leaf = node.first_index as usize..(node.first_index + node.prim_count) as usize;
-                let later =
-                    tree.primitive_indices[leaf].iter().map(|&other| other as usize).filter(|&other| other > index);
-                partners.extend(later.filter(|&other| !share_a_vertex(&triangles[index], &triangles[other])));
-                true
-            });
-            partners.sort_unstable();
-            partners.into_iter().filter_map(move |other| {
-                let (ends, sine) = crossing(corners(index), corners(other))?;
-                Some(Crossing { ends, sine, triangles: [index, other] })
-            })
-        })
-        .collect()
-}
-
-fn share_a_vertex(one: &[u32; 3], other: &[u32; 3]) -> bool {
-    one.iter().any(|vertex| other.contains(vertex))
+    let boxes: Vec<_> = (0..triangles.len()).into_par_iter().map(|index| box_of(corners(index).into_iter())).collect();
+    overlaps(&boxes, |index, other| {
+        if share_a_vertex(&triangles[index], &triangles[other]) {
+            return None;
+        }
+        let (ends, sine) = crossing(corners(index), corners(other))?;
+        Some(Crossing { ends, sine, triangles: [index, other] })
+    })
 }
 
 /// The segment two triangles have in common, if they cross (Möller 1997).
