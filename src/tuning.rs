@@ -170,8 +170,8 @@ pub const POLISH_GAIN: f64 = 0.02;
 pub const GENTLE_POLISH: f64 = 1e-4;
 
 /// In films, where every frame has to go the same way as the one before: what holds the moves of neighbouring vertices together, what
-/// it is multiplied with after every second step, and how many steps there are. `breathing_torus`, `hyperbolic_disk` and `ricci_hare`
-/// come to less than a seventh of their errors.
+/// it is multiplied with after every second step, and how many steps there are. Errors of usual frames of
+/// `breathing_torus`, `hyperbolic_disk` and `ricci_hare` come to a fifth and less.
 pub const NEAR_POLISH: (f64, f64, usize) = (1e-4, 0.3, 8);
 
 /// The same for frames that a membrane would fold over, as weight of bending: three times the work for each step.

@@ -2,7 +2,7 @@
 
 use super::discretization::DiscretizationError;
 use super::frame::UnfitFrame;
-use super::no_pass::NoPass;
+use super::over_a_pass::NoPass;
 use crate::advice::Advice;
 use crate::algebra::CholeskyError;
 use crate::frames::ShellError;

@@ -96,7 +96,7 @@ impl Station<'_> {
     /// [`EvolveError::TooFar`] if it would take more than a film can wait for.
     pub fn parts_to(&self, there: &Station, mesh: &Mesh, time: f64, settling: &Settling) -> Result<usize, EvolveError> {
         let (lengths, next) = (self.metric.edge_lengths(), there.metric.edge_lengths());
-        let mean_length = lengths.iter().sum::<f64>() / lengths.len() as f64;
+        let mean_length = self.metric.mean_edge_length();
         let moves = self.pins.iter().zip(there.pins).map(|((v, a), (_, b))| (*v, a.distance(*b)));
         let (pin, longest) = moves.fold((VertexId::new(0), 0.0), |most, one| if one.1 > most.1 { one } else { most });
         let strain = largest_strain(lengths, next);

@@ -1,7 +1,10 @@
 //! Films that begin in their middle: a halfway model, and the way down from it on either side.
 
+mod no_pass;
+
+pub use no_pass::NoPass;
+
 use super::error::EvolveError;
-use super::no_pass::NoPass;
 use super::pace::{HalfwayModel, OverAPass, Pace};
 use super::progress::Observer;
 use super::state::State;

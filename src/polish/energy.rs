@@ -62,6 +62,11 @@ impl Energy {
         }
     }
 
+    /// The hinges that cost something when they bend.
+    pub fn costly_hinges(&self) -> &[Hinge] {
+        if self.is_membrane { &[] } else { &self.hinges }
+    }
+
     /// What of it some edges, hinges and faces cost, among vertices that `own` numbers anew.
     pub fn part(
         &self,
@@ -122,8 +127,7 @@ impl Energy {
     pub fn value(&self, positions: &[DVec3], angles: &[f64], stiffness: Stiffness) -> f64 {
         let strains = self.strains(positions);
         let strain = 0.5 * inner_product(&strains, &strains, |a, b| a * b);
-        let costly = if self.is_membrane { &[][..] } else { &*self.hinges };
-        let hinges = costly.par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
+        let hinges = self.costly_hinges().par_iter().with_min_len(TASK).zip(&self.rest).zip(angles);
         let costs: Vec<f64> = hinges
             .map(|((hinge, rest), angle)| {
                 let off = angle - rest;

@@ -76,9 +76,8 @@ impl NewtonSystem {
             Some(Coupling { pair, is_swapped: a < b })
         };
         let edge_pairs = energy.ends.iter().map(|[a, b]| couple(*a, *b)).collect();
-        let costly = if energy.is_membrane { &[][..] } else { &*energy.hinges };
-        let hinge_pairs = costly.iter().map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j])));
-        let hinge_pairs = hinge_pairs.collect();
+        let hinges = energy.costly_hinges().iter();
+        let hinge_pairs = hinges.map(|h| CORNER_PAIRS.map(|(i, j)| couple(h.corners[i], h.corners[j]))).collect();
         // They are edges, and so coupled already.
         let face_pairs = energy.faces.iter().map(|f| FACE_PAIRS.map(|(i, j)| couple(f[i] as usize, f[j] as usize)));
         let face_pairs = if energy.holds_areas { face_pairs.collect() } else { Vec::new() };
@@ -108,9 +107,7 @@ impl NewtonSystem {
         self.sums.pairs.fill(DMat3::ZERO);
         self.sums.gradient.fill(DVec3::ZERO);
         self.add_strain(energy, positions, if energy.is_membrane { stiffness.bending } else { 0.0 });
-        if !energy.is_membrane {
-            self.add_bending(energy, positions, stiffness);
-        }
+        self.add_bending(energy, positions, stiffness);
         if energy.holds_areas {
             self.add_crushes(energy, positions);
         }
@@ -174,9 +171,10 @@ impl NewtonSystem {
 
     /// Per hinge: w (κ + κ_b b″) ∇α ∇αᵀ.
     fn add_bending(&mut self, energy: &Energy, positions: &[DVec3], stiffness: Stiffness) {
-        let bends: Vec<_> = energy.hinges.par_iter().with_min_len(1024).map(|hinge| hinge.bend(positions)).collect();
+        let bends: Vec<_> =
+            energy.costly_hinges().par_iter().with_min_len(1024).map(|hinge| hinge.bend(positions)).collect();
         for (((hinge, bend), rest), couplings) in
-            energy.hinges.iter().zip(&bends).zip(&energy.rest).zip(&self.hinge_pairs)
+            energy.costly_hinges().iter().zip(&bends).zip(&energy.rest).zip(&self.hinge_pairs)
         {
             let barrier = barrier(bend.angle);
             let against_fold = stiffness.barrier * BARRIER_WEIGHT;

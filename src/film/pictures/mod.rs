@@ -5,7 +5,6 @@
 //! taken, several at a time as memory allows, written as they are done, and handed in order to moving pictures. The files are
 //! the same bytes for any number of threads, and whether or not frames are still being computed meanwhile ([`Arrivals`]).
 
-mod coordinates;
 mod films;
 mod keys;
 mod labels;

@@ -1,6 +1,9 @@
 //! Fields of frames: what colours, patterns and layers show.
 
-use super::{coordinates::Chart, plan::Plan};
+mod coordinates;
+
+use self::coordinates::Chart;
+use super::plan::Plan;
 use crate::{
     digest::Digest,
     evolve::Frame,

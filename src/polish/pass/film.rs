@@ -68,7 +68,6 @@ impl Pass {
         let from: Vec<DVec3> = from.iter().map(|p| *p * unit).collect();
         let polish = match mesh.betti() {
             // Rigid, and smooth without being held.
-            // Rigid, and smooth without being held.
             0 => Polish { stiffness: MEMBRANE_HOLD, is_membrane: true, ..Polish::default() },
             _ => Polish::default(),
         };
